@@ -4,7 +4,7 @@ add_library(nrd_warnings INTERFACE)
 if(NRD_WARNINGS)
     target_compile_options(nrd_warnings INTERFACE
         -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wnon-virtual-dtor -Woverloaded-virtual
-        -Wcast-align -Wformat=2 -Wnull-dereference -Wold-style-cast -Werror=switch -Werror=return-type)
+        -Wcast-align -Wformat=2 -Wold-style-cast -Werror=switch -Werror=return-type)
 endif()
 if(NRD_WERROR)
     target_compile_options(nrd_warnings INTERFACE -Werror)
