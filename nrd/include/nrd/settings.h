@@ -1,0 +1,124 @@
+// What goes in: settings of a frame and of each denoiser family. Every field has a default, a unit and a range;
+// a setter refuses what is out of range with one sentence that names the field and keeps the old settings.
+#pragma once
+#include <nrd/types.h>
+
+namespace nrd
+{
+// Matrices are column-major, for column vectors, without jitter; clip space is Y up with depth in [0; 1], reversed
+// and infinite depth allowed; view space is X right, Y up, Z either way.
+struct CommonSettings
+{
+    float viewToClipMatrix[16] = {};     // perspective or orthographic, invertible
+    float viewToClipMatrixPrev[16] = {}; // last frame's
+    float worldToViewMatrix[16] = {};    // rotation and translation
+    float worldToViewMatrixPrev[16] = {};
+
+    // mv = IN_MV * motionVectorScale. World space: scene motion only, camera excluded, (0; 0; 0) = static scene.
+    // Otherwise uvPrev = uv + mv.xy and, with z != 0, viewZPrev = viewZ + mv.z, both as stored in IN_VIEWZ;
+    // z = 0 derives the depth from the camera. In world space z = 0 is taken as x unless all three are 0.
+    float motionVectorScale[3] = {1.0f, 1.0f, 0.0f};
+    bool isMotionVectorInWorldSpace = false;
+
+    float cameraJitter[2] = {};     // [-0.5; 0.5] pixels, sample position = pixel centre + jitter
+    float cameraJitterPrev[2] = {}; // last frame's
+
+    uint16_t resourceSize[2] = {};     // >= 1 pixels, size of all full-resolution textures
+    uint16_t resourceSizePrev[2] = {}; // last frame's
+    uint16_t rectSize[2] = {};         // [1; resourceSize] pixels, the active part
+    uint16_t rectSizePrev[2] = {};     // last frame's
+    uint16_t rectOrigin[2] = {};       // pixels, offset of the guides (motion, normal-roughness, viewZ) only
+
+    // Previous minus current camera position, world units. Derived from the matrices unless the flag is set:
+    // far from the origin 32-bit matrices have already lost it.
+    double cameraDelta[3] = {};
+    bool isCameraDeltaAvailable = false;
+
+    float viewZScale = 1.0f;            // > 0, viewZ = abs(IN_VIEWZ * viewZScale)
+    float timeDeltaBetweenFrames = 0.0f; // >= 0 ms, 0 = measured inside
+    float denoisingRange = 500000.0f;   // > 0 units; beyond it outputs are not written
+
+    float disocclusionThreshold = 0.01f;          // (0; 1], fraction of the frustum's size at that depth
+    float disocclusionThresholdAlternate = 0.05f; // (0; 1], reached where IN_DISOCCLUSION_THRESHOLD_MIX is 1
+    uint32_t cameraAttachedReflectionMaterialID = 999; // reflections that move with the camera, 999 = none
+    uint32_t strandMaterialID = 999;                   // hair and grass, 999 = none
+    uint32_t historyFixAlternatePixelStrideMaterialID = 999;
+    float strandThickness = 80e-6f; // > 0 units
+
+    float splitScreen = 0.0f; // [0; 1], left part shows the input, 1 = only that
+
+    uint32_t frameIndex = 0; // + 1 per frame
+    AccumulationMode accumulationMode = AccumulationMode::CONTINUE;
+
+    bool isHistoryConfidenceAvailable = false;         // IN_DIFF_CONFIDENCE and IN_SPEC_CONFIDENCE are bound
+    bool isDisocclusionThresholdMixAvailable = false;  // IN_DISOCCLUSION_THRESHOLD_MIX is bound
+    bool enableValidation = false;                     // OUT_VALIDATION is bound
+};
+
+// Hit distance is divided by (A + viewZ * B) * mix(C, 1, spread(roughness)), see REBLUR_FrontEnd_GetNormHitDist.
+struct HitDistanceParameters
+{
+    float A = 3.0f;  // > 0 units
+    float B = 0.1f;  // > 0, units per unit of viewZ
+    float C = 20.0f; // >= 1, how much longer the range of a mirror is
+};
+
+struct ReblurAntilagSettings
+{
+    float luminanceSigmaScale = 2.0f;  // (0; 100], half width of the box in standard deviations
+    float luminanceSensitivity = 3.0f; // (0; 100], smaller reacts faster
+};
+
+struct ResponsiveAccumulationSettings
+{
+    float roughnessThreshold = 0.0f;     // [0; 1], 0 = off
+    uint32_t minAccumulatedFrameNum = 3; // [0; historyFixFrameNum] frames
+};
+
+// e(n) = s * mix(b, 1, sat(n / (1 + p * maxAccumulatedFrameNum))), the filters' footprint area is 1 / (1 + e(n) * n).
+struct ConvergenceSettings
+{
+    float s = 1.0f; // (0; 10]
+    float b = 0.2f; // [0; 1]
+    float p = 0.8f; // [0; 1]
+};
+
+struct ReblurSettings
+{
+    HitDistanceParameters hitDistanceParameters = {};
+    ReblurAntilagSettings antilagSettings = {};
+    ResponsiveAccumulationSettings responsiveAccumulationSettings = {};
+    ConvergenceSettings convergenceSettings = {};
+
+    uint32_t maxAccumulatedFrameNum = 30;    // [0; 63] frames, about half a second
+    uint32_t maxFastAccumulatedFrameNum = 6; // [0; 63] frames, >= maxAccumulatedFrameNum = no fast-history clamp
+    uint32_t maxStabilizedFrameNum = 63;     // [0; 255] frames, 0 = no temporal stabilisation and no antilag
+    uint32_t historyFixFrameNum = 3;         // [0; 8] frames, below maxFastAccumulatedFrameNum
+    uint32_t historyFixBasePixelStride = 14; // [1; 64] pixels
+    uint32_t historyFixAlternatePixelStride = 14; // [1; 64] pixels
+
+    float fastHistoryClampingSigmaScale = 2.0f; // [1; 3] standard deviations
+    float diffusePrepassBlurRadius = 30.0f;     // [0; 256] pixels, 0 = off
+    float specularPrepassBlurRadius = 50.0f;    // [0; 256] pixels, 0 = off
+    float minHitDistanceWeight = 0.1f;          // [0; 0.2]
+    float minBlurRadius = 1.0f;                 // [0; 256] pixels
+    float maxBlurRadius = 30.0f;                // [0; 256] pixels
+    float lobeAngleFraction = 0.15f;            // [0; 1]
+    float roughnessFraction = 0.15f;            // [0; 1]
+    float planeDistanceSensitivity = 0.02f;     // (0; 1], fraction of the frustum's size at that depth
+    float fireflySuppressorMinRelativeScale = 2.0f; // [1; 3]
+    uint32_t minMaterialForDiffuse = 4;  // >= 0, material IDs from here on do not mix, 4 = test off
+    uint32_t minMaterialForSpecular = 4; // >= 0
+
+    CheckerboardMode checkerboardMode = CheckerboardMode::OFF; // orientation of diffuse; specular is the opposite
+    HitDistanceReconstructionMode hitDistanceReconstructionMode = HitDistanceReconstructionMode::OFF;
+    bool enableAntiFirefly = true;
+    bool usePrepassOnlyForSpecularMotionEstimation = false;
+    bool returnHistoryLengthInsteadOfOcclusion = false;
+};
+
+struct ReferenceSettings
+{
+    uint32_t maxAccumulatedFrameNum = 120; // [0; 4095] frames, exact mean up to here, exponential beyond
+};
+} // namespace nrd

@@ -1,0 +1,23 @@
+// Where everything is bound, and the identifiers of the specialisation constants.
+#ifndef BINDINGS_H
+#define BINDINGS_H
+
+#define SET_CONSTANTS 0
+#define BINDING_CONSTANTS 0
+#define BINDING_SAMPLERS 1 // nearest clamp, then linear clamp
+#define SET_RESOURCES 1
+
+// Per instance
+#define SPEC_NORMAL_ENCODING 0    // value of NormalEncoding
+#define SPEC_ROUGHNESS_ENCODING 1 // value of RoughnessEncoding
+// Per dispatch: a row of the pass table names the ones it uses
+#define SPEC_HAS_PREPASS 2
+#define SPEC_HAS_STABILIZATION 3
+#define SPEC_HAS_MATERIAL_TEST 4
+#define SPEC_HAS_CONFIDENCE 5
+#define SPEC_HAS_DISOCCLUSION_MIX 6
+#define SPEC_HAS_ANTI_FIREFLY 7
+
+#define TILE_SIZE 16
+
+#endif

@@ -1,0 +1,74 @@
+// One block for every REBLUR pass of a frame. World positions have their origin at the current camera.
+#ifndef REBLUR_CONSTANTS_H
+#define REBLUR_CONSTANTS_H
+#include "shared_types.h"
+
+SHARED_BEGIN
+struct ReblurConstants
+{
+    mat4 worldToClip;     // current, origin at the current camera
+    mat4 worldToClipPrev; // previous camera, same origin
+    mat4 worldToViewPrev; // left-handed: z forward
+    mat4 viewToWorld;     // rotation only (the origin is the camera)
+    mat4 viewToWorldPrev; // previous view to current-camera-relative world
+    vec4 frustum;         // .xy slopes of the top left corner, .zw extent: Xv.xy = (xy + uv * zw) * z
+    vec4 frustumPrev;
+    vec4 cameraDelta;     // .xyz previous minus current camera position, .w 1 = orthographic
+    vec4 viewDirection;   // .xyz surface to camera in world space, for orthographic projections
+    vec4 rotatorPrePass;  // cos, sin, -sin, cos
+    vec4 rotatorBlur;
+    vec4 rotatorPostBlur;
+    vec4 hitDistanceParameters; // A, B, C, unused
+    vec4 motionVectorScale;     // .w 1 = world space
+    vec2 rectSize;        // pixels
+    vec2 rectSizeInv;
+    vec2 rectSizePrev;
+    vec2 resourceSizeInv;     // 1 / size of the textures
+    vec2 resourceSizeInvPrev;
+    vec2 convergence;     // s * b, s * (1 - b): e(n) = x + y * sat(n * convergenceLengthInv)
+    ivec2 rectOrigin;     // of the guides, pixels
+    ivec2 rectSizeMinusOne;
+    float convergenceLengthInv;  // 1 / (1 + p * Nmax)
+    float unproject;      // world size of a pixel at z = 1 (perspective) or at any z (orthographic)
+    float minRectDim;     // pixels
+    float denoisingRange;
+    float viewZScale;
+    float disocclusionThreshold; // jitter and slope bonus included
+    float disocclusionThresholdAlternate;
+    float planeDistanceSensitivity;
+    float maxAccumulatedFrameNum;
+    float maxFastAccumulatedFrameNum;
+    float historyFixFrameNum;
+    float minBlurRadius;
+    float maxBlurRadius;
+    float diffusePrepassRadius;
+    float specularPrepassRadius;
+    float lobeAngleFraction; // squared
+    float roughnessFraction;
+    float minHitDistanceWeight;
+    float historyFixStride;
+    float historyFixAlternateStride;
+    float fastClampSigmaScale;
+    float fireflyMinScale;
+    float antilagSigmaScale;
+    float antilagSensitivity;
+    float stabilizationStrength;
+    float frameRateScale; // >= 1
+    float responsiveRoughnessThreshold;
+    float responsiveMinFrameNum;
+    float splitScreen;
+    float splitScreenPrev;
+    float strandThickness;
+    uint strandMaterialID;
+    uint cameraAttachedMaterialID;
+    uint historyFixAlternateMaterialID;
+    uint minMaterialForDiffuse;
+    uint minMaterialForSpecular;
+    uint frameIndex;
+    uint isHistoryReset;      // 1: every history length is 0 in this frame
+    uint isPrepassTrackingOnly;
+    uint returnHistoryLength;
+};
+SHARED_END
+
+#endif
