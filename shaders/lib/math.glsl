@@ -1,0 +1,38 @@
+// Small pure functions: ramps and falloffs.
+#ifndef MATH_GLSL
+#define MATH_GLSL
+
+const float kPi = 3.14159265358979;
+const float kEps = 1e-6;
+
+float saturate(float x) { return clamp(x, 0.0, 1.0); }
+
+// 0 at a, 1 at b; a > b gives a falling ramp. A zero-width ramp is a step, not 0 / 0.
+float ramp(float a, float b, float x)
+{
+    float width = b - a;
+    return saturate((x - a) / (abs(width) < 1e-20 ? 1e-20 : width));
+}
+
+float smooth01(float x)
+{
+    float t = saturate(x);
+    return t * t * (3.0 - 2.0 * t);
+}
+
+// Compact falloff for noise-free guides: 1 at 0, exactly 0 from 1 on.
+float soft(float x) { return smooth01(1.0 - x); }
+
+// Long-tailed falloff for noisy quantities, a rational stand-in for exp(-3x): never 0, so no tap set starves.
+float heavy(float x) { return 1.0 / (1.0 + 3.0 * x + 9.0 * x * x); }
+
+// Accurate for small angles, within 1 % up to about 30 degrees.
+float acosApprox(float x) { return sqrt(2.0 * saturate(1.0 - x)); }
+
+float square(float x) { return x * x; }
+
+bool isFinite(float x) { return (floatBitsToUint(x) & 0x7F800000u) != 0x7F800000u; }
+
+bool isFinite(vec4 v) { return isFinite(v.x) && isFinite(v.y) && isFinite(v.z) && isFinite(v.w); }
+
+#endif
