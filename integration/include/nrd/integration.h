@@ -1,0 +1,207 @@
+// NrdIntegration: the denoisers on native Vulkan handles. It owns pools, pipelines, descriptors, constants and
+// barriers; the application hands in its device once, and every frame a command buffer and the images of its user pool.
+//
+// Threads: one at a time per object; objects are independent, also over one device.
+// Frames: NewFrame() first, and not before the GPU has finished the frame `framesInFlight` frames ago. What Denoise()
+// records must be submitted, once and in the order of recording, since images carry their state from call to call.
+// Errors: nothing throws, nothing asserts. A refused call changes nothing and records nothing; GetLastMessage() has one
+// sentence that names the slot or the field, and InstanceCreationDesc::messageSink gets the same.
+// After Denoise() the command buffer has another compute pipeline and other compute descriptor sets bound (sets 0 and
+// 1); graphics and ray-tracing state and push constants of other layouts are as before.
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <nrd/nrd.h>
+#include <vulkan/vulkan_core.h>
+
+namespace nrd
+{
+/// What the application's device must have been created with. Can be asked before there is a device.
+struct RequiredDeviceFeatures
+{
+    uint32_t apiVersion = 0;                // of instance and device, at least
+    VkPhysicalDeviceFeatures features = {}; // the fields that are VK_TRUE must be enabled
+    const char* const* deviceExtensions = nullptr;
+    uint32_t deviceExtensionsNum = 0;
+};
+RequiredDeviceFeatures GetRequiredDeviceFeatures();
+
+/// Native objects of the application: borrowed, they must outlive the integration.
+struct NativeDevice
+{
+    VkInstance instance = VK_NULL_HANDLE;
+    VkPhysicalDevice physicalDevice = VK_NULL_HANDLE;
+    VkDevice device = VK_NULL_HANDLE;
+    uint32_t queueFamilyIndex = 0; // of the command buffers handed to Denoise(); must have compute
+    PFN_vkGetInstanceProcAddr getInstanceProcAddr = nullptr; // required: the loader is not linked
+    PFN_vkGetDeviceProcAddr getDeviceProcAddr = nullptr;     // null: taken from getInstanceProcAddr
+
+    const VkPhysicalDeviceFeatures* enabledFeatures = nullptr; // null: taken as everything that is required
+    bool isSynchronization2Enabled = false; // the feature, through Vulkan 1.3 or VK_KHR_synchronization2
+    bool isDebugUtilsEnabled = false;       // VK_EXT_debug_utils on the instance: passes are labelled, objects named
+    VkPipelineCache pipelineCache = VK_NULL_HANDLE;             // may be null
+    const VkAllocationCallbacks* allocationCallbacks = nullptr; // may be null
+};
+
+enum class LayoutPolicy : uint8_t
+{
+    OPTIMAL, // SHADER_READ_ONLY_OPTIMAL while a pass only reads an image, GENERAL otherwise
+    GENERAL, // GENERAL everywhere: the application never has to transition
+    MAX_NUM
+};
+
+struct IntegrationCreationDesc
+{
+    const char* name = "NRD"; // prefix of debug names: pool textures are "NRD P(0)", "NRD T(0)"; copied
+    NativeDevice native = {};
+    uint16_t resourceWidth = 0;           // [1; 65535] pixels, size of all full-resolution images
+    uint16_t resourceHeight = 0;          // [1; 65535] pixels
+    uint32_t framesInFlight = 3;          // [1; 16] frames that the GPU may still work on when the next one begins
+    uint32_t maxDenoiseCallsPerFrame = 4; // [1; 1024] calls that name all denoisers; ones that name fewer count less
+    LayoutPolicy layoutPolicy = LayoutPolicy::OPTIMAL;
+    bool isGpuTimingEnabled = false;     // fills GetTimings()
+    bool createDefaultPipelines = false; // those of the default settings in Create(), not at their first use
+};
+
+/// How an image was left, or must be found, between two uses: what an image barrier names on that side. States of
+/// synchronisation 2 that have no bit here are given by their wider form, as SHADER_READ for SHADER_SAMPLED_READ.
+struct NrdImageState
+{
+    VkImageLayout layout = VK_IMAGE_LAYOUT_UNDEFINED; // UNDEFINED: the contents may be lost
+    VkAccessFlags access = 0;
+    VkPipelineStageFlags stages = 0; // 0: nothing to wait for
+};
+inline bool operator==(const NrdImageState& a, const NrdImageState& b)
+{
+    return a.layout == b.layout && a.access == b.access && a.stages == b.stages;
+}
+inline bool operator!=(const NrdImageState& a, const NrdImageState& b) { return !(a == b); }
+
+/// A 2D image of one layer and one mip, owned by `native.queueFamilyIndex` or shared with it.
+struct NrdUserImage
+{
+    VkImage image = VK_NULL_HANDLE; // null: the slot is empty
+    VkFormat format = VK_FORMAT_UNDEFINED;
+    uint32_t width = 0;          // pixels; the resource size, except for confidences and the threshold mix
+    uint32_t height = 0;         // pixels
+    VkImageUsageFlags usage = 0; // as created, 0 = unknown: taken as SAMPLED and STORAGE
+    uint64_t generation = 0;     // another number for each image that may get the handle of a destroyed one
+    NrdImageState state = {};    // in: how the application left it; out: how Denoise() left it
+};
+
+/// One entry per slot of the user pool. An image may be in several slots, in the same state in all of them.
+class NrdUserPool
+{
+public:
+    static constexpr uint32_t kSlotsNum = static_cast<uint32_t>(ResourceType::TRANSIENT_POOL);
+
+    /// `slot` is one of IN_... and OUT_...; any other value gives an entry that is never read.
+    NrdUserImage& operator[](ResourceType slot) { return m_images[index(slot)]; }
+    const NrdUserImage& operator[](ResourceType slot) const { return m_images[index(slot)]; }
+
+private:
+    static constexpr uint32_t index(ResourceType slot)
+    {
+        return static_cast<uint32_t>(slot) < kSlotsNum ? static_cast<uint32_t>(slot) : kSlotsNum;
+    }
+    NrdUserImage m_images[kSlotsNum + 1];
+};
+
+struct DenoiseOptions
+{
+    /// One more batch of barriers takes every image back to the state it came in; those that came in UNDEFINED stay
+    /// where they are. Otherwise the entries tell the states, from which the application goes on.
+    bool restoreInitialStates = false;
+};
+
+/// Device memory as allocated, in bytes.
+struct MemoryStatistics
+{
+    uint64_t permanent = 0; // history
+    uint64_t transient = 0; // scratch: free for the application's use between the calls of Denoise()
+    uint64_t total = 0;     // with constants, buffers, and what still waits for the GPU after a Resize()
+};
+
+struct PassTime
+{
+    const char* name = ""; // of the dispatch, "REBLUR_DIFFUSE_SPECULAR - Blur"
+    float milliseconds = 0.0f;
+};
+
+/// GPU time of one frame: each pass with the barriers before it, in the order of recording.
+struct Timings
+{
+    uint64_t frame = 0; // the NewFrame() it belongs to, counted from 1; 0 = nothing measured yet
+    const PassTime* passes = nullptr;
+    uint32_t passesNum = 0;
+    float totalMilliseconds = 0.0f; // of all Denoise() calls of that frame
+};
+
+/// Numbers for tests and overlays: what is alive now.
+struct IntegrationStatistics
+{
+    uint32_t cachedUserImages = 0; // wrapped images of the application with their views
+    uint32_t retiredObjects = 0;   // waiting for the GPU before they are destroyed
+    uint32_t pipelines = 0;        // created so far
+};
+
+class NrdIntegration
+{
+public:
+    NrdIntegration();
+    ~NrdIntegration(); // as Destroy()
+    NrdIntegration(NrdIntegration&&) noexcept;
+    NrdIntegration& operator=(NrdIntegration&&) noexcept;
+
+    /// INVALID_ARGUMENT, UNSUPPORTED (a denoiser, a device feature, a format), NON_UNIQUE_IDENTIFIER, FAILURE. A second
+    /// call needs a Destroy() in between. instanceDesc.messageSink receives the messages of both libraries.
+    Result Create(const IntegrationCreationDesc& desc, const InstanceCreationDesc& instanceDesc);
+
+    /// The GPU must have finished everything that Denoise() recorded. Also after a failed Create(), and twice.
+    void Destroy();
+    bool IsCreated() const;
+
+    /// Pools and history for another size, without waiting: what the GPU still uses is destroyed `framesInFlight`
+    /// frames later. Settings, pipelines and identifiers stay, HISTORY IS LOST. The next frame needs
+    /// SetCommonSettings() again. On failure the old size stays in use.
+    Result Resize(uint16_t resourceWidth, uint16_t resourceHeight);
+
+    /// Once per frame, before all else; the GPU must have finished the frame `framesInFlight` calls ago.
+    Result NewFrame();
+
+    /// At least once between NewFrame() and Denoise(). Refuses a frame index that stands still since the last frame,
+    /// and a resource size other than the one of Create() or Resize().
+    Result SetCommonSettings(const CommonSettings& settings);
+
+    /// Copied; kept until set again, also across Resize().
+    Result SetDenoiserSettings(Identifier identifier, const ReblurSettings& settings);
+    Result SetDenoiserSettings(Identifier identifier, const ReferenceSettings& settings);
+
+    /// Records the named denoisers, in the order of the list, each at most once per frame. `commandBuffer` is in the
+    /// recording state and outside a render pass, of a queue with compute. Refused, with the name of the slot: a slot
+    /// that a denoiser needs is empty, its image lacks usage, channels or size, or has two states.
+    Result Denoise(VkCommandBuffer commandBuffer, const Identifier* identifiers, uint32_t identifiersNum,
+                   NrdUserPool& userPool, const DenoiseOptions& options = {});
+
+    /// Drops the cached views of an image that is about to be destroyed, once the GPU is done with them. Not needed if
+    /// `generation` is kept: unused views go by themselves after some frames.
+    Result Forget(VkImage image);
+
+    /// Valid until the next NewFrame(), Resize() or Destroy(). Never waits: of the frame `framesInFlight` frames ago.
+    Timings GetTimings() const;
+    MemoryStatistics GetMemoryStatistics() const;
+    IntegrationStatistics GetStatistics() const;
+
+    /// The descriptor library underneath, for GetInstanceDesc() and GetRequiredResources(); null before Create().
+    /// Another one after Resize().
+    const Instance* GetInstance() const;
+
+    /// The sentence of the last refusal; empty if there was none. Valid until the next call that can refuse.
+    const char* GetLastMessage() const;
+
+private:
+    friend struct IntegrationAccess; // creation over a given rhi::Device, see src/integration_access.h
+    struct Impl;
+    std::unique_ptr<Impl> m_impl; // null until the first Create()
+};
+} // namespace nrd
