@@ -2,6 +2,10 @@
 #ifndef BINDINGS_H
 #define BINDINGS_H
 
+#ifndef __cplusplus
+#extension GL_EXT_samplerless_texture_functions : require // texelFetch from texture2D
+#endif
+
 #define SET_CONSTANTS 0
 #define BINDING_CONSTANTS 0
 #define BINDING_SAMPLERS 1 // nearest clamp, then linear clamp

@@ -1,0 +1,130 @@
+// Parts of temporal accumulation that both lobes use: the neighbourhood, reading of histories, limits on new samples.
+#ifndef ACCUMULATE_GLSL
+#define ACCUMULATE_GLSL
+#if HAS_SPECULAR
+#include "virtual_track.glsl"
+#else
+#include "surface_track.glsl"
+#endif
+
+const float kFireflyHeadroom = 38.0;
+const ivec2 kHalo = ivec2(10, 18); // an 8x16 group and one texel round it
+
+shared vec4 sNormalViewZ[kHalo.y][kHalo.x]; // viewZ: 0 = out of range
+shared float sTracking[kHalo.y][kHalo.x];   // distance to what is reflected, 0 = unknown
+
+// World units with the pre-pass; without it normalised by the neighbour's own distance and roughness.
+float trackingCandidate(ivec2 pixel)
+{
+#if HAS_SPECULAR
+    bool isValid;
+    return kHasPrepass ? texelFetch(gIn_TrackNew, pixel, 0).x : sanitize(texelFetch(gIn_Specular, pixel, 0), isValid).w;
+#else
+    return 0.0;
+#endif
+}
+
+void loadNeighbourhood(ivec2 group)
+{
+    for (int i = int(gl_LocalInvocationIndex); i < kHalo.x * kHalo.y; i += 128)
+    {
+        ivec2 local = ivec2(i % kHalo.x, i / kHalo.x);
+        ivec2 pixel = clampToRect(group + local - 1);
+        float viewZ = decodeViewZ(texelFetch(gIn_ViewZ, guideTexel(pixel), 0).x);
+        bool isUsed = isInRange(viewZ);
+        vec3 N = decodeGuide(texelFetch(gIn_NormalRoughness, guideTexel(pixel), 0)).N;
+        sNormalViewZ[local.y][local.x] = vec4(N, isUsed ? viewZ : 0.0);
+        // What is out of range was not written.
+        sTracking[local.y][local.x] = isUsed ? trackingCandidate(pixel) : 0.0;
+    }
+}
+
+vec4 neighbour(ivec2 offset)
+{
+    ivec2 local = ivec2(gl_LocalInvocationID.xy) + 1 + offset;
+    return sNormalViewZ[local.y][local.x];
+}
+
+vec3 meanNormal()
+{
+    return 0.25 * (neighbour(ivec2(-1, -1)).xyz + neighbour(ivec2(0, -1)).xyz + neighbour(ivec2(-1, 0)).xyz +
+                   neighbour(ivec2(0)).xyz);
+}
+
+Surface makeSurface(ivec2 pixel)
+{
+    Surface s;
+    s.pixel = pixel;
+    s.uv = pixelUv(pixel);
+    s.viewZ = decodeViewZ(texelFetch(gIn_ViewZ, guideTexel(pixel), 0).x);
+    s.pixelSize = getPixelSize(s.viewZ);
+    s.frustumSize = getFrustumSize(s.viewZ);
+    s.X = rotate(g.viewToWorld, reconstructViewPosition(s.uv, g.frustum, s.viewZ, g.cameraDelta.w));
+    s.V = viewDirection(s.X);
+    s.guide = decodeGuide(texelFetch(gIn_NormalRoughness, guideTexel(pixel), 0));
+    s.NoV = abs(dot(s.guide.N, s.V));
+    s.meanN = meanNormal();
+    float share = 0.0;
+    if (kHasDisocclusionMix) share = textureLod(sampler2D(gIn_DisocclusionMix, gLinearClamp), s.uv, 0.0).x;
+    if (kHasMaterialTest && s.guide.materialID == g.strandMaterialID)
+        share = saturate(0.5 * s.pixelSize / (g.strandThickness + kEps));
+    s.disocclusionThreshold = mix(g.disocclusionThreshold, g.disocclusionThresholdAlternate, share);
+    return s;
+}
+
+// Where and how a history is read.
+struct HistoryRead
+{
+    vec2 position; // pixels of the previous frame
+    ivec2 origin;
+    vec4 weights;
+    bool isCubic;
+};
+
+HistoryRead surfaceRead(SurfaceTrack track)
+{
+    return HistoryRead(clamp(track.uv, 0.0, 1.0) * g.rectSizePrev, track.footprint.origin, track.weights, track.isCubic);
+}
+
+vec4 readHistory(texture2D t, HistoryRead read)
+{
+    // Catmull-Rom keeps a moving history sharp; over invalid texels it would ring and leak.
+    if (read.isCubic) return fetchCatmullRom(t, gLinearClamp, makeCatmullRom(read.position, g.resourceSizeInvPrev));
+    return fetchBilinear(t, read.origin, read.weights, lastPrevTexel());
+}
+
+vec4 readSignal(texture2D t, HistoryRead read) { return clampNegatives(readHistory(t, read)); }
+
+float readStabilized(int channel, HistoryRead read) { return max(readHistory(gIn_Stab, read)[channel], 0.0); }
+
+// How much a limit relative to the history counts: not at all without history.
+float fireflyBlend(float n)
+{
+    float x = 0.1 * n * g.maxBlurRadius;
+    return x / (1.0 + x);
+}
+
+float fireflyScale(float n) { return g.fireflyMinScale + kFireflyHeadroom / (n + 1.0); }
+
+// Running mean up to the cap. Hit distances react faster the more mirror-like the lobe: they steer weights and tracking.
+vec4 mixHistory(vec4 history, vec4 signal, float n, float roughness)
+{
+    float weight = newSampleWeight(n);
+    float spread = NRD_GetLobeSpread(roughness, 0.25);
+    float hitDistWeight = max(weight, 1.0 / (1.0 + 0.5 * spread * g.maxAccumulatedFrameNum));
+    vec4 mixed = vec4(mix(history.xyz, signal.xyz, weight), mix(history.w, signal.w, hitDistWeight));
+    float blend = fireflyBlend(n);
+    float luma = mix(mixed.x, min(mixed.x, history.x * fireflyScale(n)), blend);
+    // An unknown distance in the history limits nothing.
+    float maxHitDist = history.w > 0.0 ? history.w * (1.2 + 1.0 / (n + 1.0)) : 1.0;
+    mixed.w = mix(mixed.w, min(mixed.w, maxHitDist), blend);
+    return changeLuma(mixed, luma);
+}
+
+// Otherwise blotches travel over the picture during rotation at high frame rates.
+float limitFast(float fast, float historyLuma, float n)
+{
+    return mix(fast, min(fast, historyLuma * 4.0 * fireflyScale(n)), fireflyBlend(n));
+}
+
+#endif

@@ -1,0 +1,165 @@
+// Temporal accumulation of the specular lobe: two tracks, their confidences, and the choice between them.
+#ifndef ACCUMULATE_SPECULAR_GLSL
+#define ACCUMULATE_SPECULAR_GLSL
+
+const float kCurvaturePlaneSensitivity = 0.04;
+
+// Nearest reflected surface of the 3x3, world units, 0 = unknown.
+float trackingDistance(Surface s)
+{
+    ivec2 local = ivec2(gl_LocalInvocationID.xy);
+    float nearest = 1e30;
+    for (int i = 0; i < 9; i++)
+    {
+        float candidate = sTracking[local.y + i / 3][local.x + i % 3];
+        nearest = candidate > 0.0 ? min(nearest, candidate) : nearest;
+    }
+    if (nearest == 1e30) return 0.0;
+    float hitDist = kHasPrepass ? nearest : getHitDist(nearest, s.viewZ, s.guide.roughness);
+    return min(hitDist, kTrackingMax);
+}
+
+// Roughness widened by the spread of normals in the neighbourhood: Neubelt and Pettineo 2013.
+float widenedRoughness(Surface s)
+{
+    float len = clamp(length(s.meanN), 1e-3, 1.0);
+    float variance = saturate(1.0 - len * len) / (len * (3.0 - len * len));
+    return sqrt(saturate(square(s.guide.roughness) + variance));
+}
+
+// The neighbour's ray meets the tangent plane; its own normal says how the surface bends.
+bool edgePoint(Surface s, ivec2 offset, out vec3 X, out vec3 N)
+{
+    vec4 other = neighbour(offset);
+    vec3 Xv = reconstructViewPosition(s.uv + vec2(offset) * g.rectSizeInv, g.frustum, 1.0, g.cameraDelta.w);
+    vec3 ray = rotate(g.viewToWorld, Xv);
+    vec3 direction = g.cameraDelta.w != 0.0 ? g.viewDirection.xyz : ray;
+    vec3 start = g.cameraDelta.w != 0.0 ? ray : vec3(0.0);
+    float cosine = dot(s.guide.N, direction);
+    X = start + direction * (dot(s.guide.N, s.X - start) / (abs(cosine) < 1e-6 ? 1e-6 : cosine));
+    N = other.xyz;
+    // Across a silhouette the neighbour says nothing of this surface.
+    vec3 otherXv = reconstructViewPosition(s.uv + vec2(offset) * g.rectSizeInv, g.frustum, other.w, g.cameraDelta.w);
+    float planeDistance = abs(dot(s.guide.N, rotate(g.viewToWorld, otherXv) - s.X));
+    return other.w > 0.0 && planeDistance < kCurvaturePlaneSensitivity * s.frustumSize;
+}
+
+// Curvature along the apparent motion, convex > 0.
+float motionCurvature(Surface s, SurfaceTrack track)
+{
+    vec2 weights = abs(track.direction) + 1.0 / 256.0;
+    vec3 Xx, Nx, Xy, Ny;
+    weights.x = edgePoint(s, ivec2(1, 0), Xx, Nx) ? weights.x : 0.0;
+    weights.y = edgePoint(s, ivec2(0, 1), Xy, Ny) ? weights.y : 0.0;
+    float sum = weights.x + weights.y;
+    vec3 X = s.X, N = s.guide.N;
+    if (sum > 0.0)
+    {
+        X = (Xx * weights.x + Xy * weights.y) / sum;
+        N = (Nx * weights.x + Ny * weights.y) / sum;
+    }
+    // Under high parallax the distance really travelled is measured, which flattens the bumps of normal maps.
+    vec2 far = s.uv + track.parallaxMin * track.direction * g.rectSizeInv;
+    if (track.parallaxMin > 1.41421 && isInScreen(far))
+    {
+        ivec2 pixel = clampToRect(ivec2(far * g.rectSize));
+        float viewZ = decodeViewZ(texelFetch(gIn_ViewZ, guideTexel(pixel), 0).x);
+        vec3 Xv = reconstructViewPosition(pixelUv(pixel), g.frustum, viewZ, g.cameraDelta.w);
+        vec3 farX = rotate(g.viewToWorld, Xv);
+        float plane = abs(dot(s.guide.N, farX - s.X)) / (kCurvaturePlaneSensitivity * s.frustumSize);
+        if (isInRange(viewZ) && soft(plane) > 0.5)
+        {
+            X = farX;
+            N = decodeGuide(texelFetch(gIn_NormalRoughness, guideTexel(pixel), 0)).N;
+        }
+    }
+    return curvatureFromEdge(s.X, s.guide.N, X, N);
+}
+
+// How far the view may turn before a lobe of this width, reflecting something at this distance, has changed.
+float surfaceConfidence(Surface s, SurfaceTrack track, float roughness, float normHitDist, float motion)
+{
+    float angle = atan(track.parallaxMax * s.pixelSize / max(length(s.X), 1e-6)) * mix(0.1, 1.0, motion);
+    float weight = newSampleWeight(track.n[kSpecularChannel]);
+    vec2 uv = clamp(track.uv, 0.0, 1.0) * g.rectSizePrev * g.resourceSizeInvPrev;
+    float history = textureLod(sampler2D(gIn_SpecularHistory, gLinearClamp), uv, 0.0).w;
+    float hitDist = getHitDist(mix(history, normHitDist, weight), s.viewZ, s.guide.roughness);
+    float factor = hitDistFactor(hitDist, s.frustumSize);
+    float tangent = lobeTangent(roughness, 0.75) * mix(s.NoV, 1.0, roughness) * weight / (factor + kEps);
+    float allowed = max(atan(tangent), normalEncodingError(kNormalEncoding));
+    float confidence = square(square(ramp(allowed, 0.0, angle)));
+    return mix(confidence, 1.0, ramp(0.8, 0.9, roughness));
+}
+
+// Cap on the length for low roughness under responsive accumulation.
+float responsiveLength(float roughness, float NoN)
+{
+    float response = smooth01(max(roughness, 1e-3) / max(g.responsiveRoughnessThreshold, 1e-3));
+    float spread = NRD_GetLobeSpread(roughness, 0.25);
+    float f = mix(spread, 1.0, response) * pow(saturate(NoN) + kEps, mix(32.0, 1.0, spread) * (1.0 - response));
+    return max(g.maxAccumulatedFrameNum * f, g.responsiveMinFrameNum);
+}
+
+// Amount of the virtual track in [0; 1]: it wins ties, the surface must be clearly longer to win.
+float virtualAmount(float nVirtual, float nSurface)
+{
+    return saturate(1.0 + (nVirtual - nSurface) / (1.0 + 0.5 * max(nVirtual, nSurface)));
+}
+
+LobeResult accumulateSpecular(Surface s, SurfaceTrack surface)
+{
+    LobeResult result;
+    float hitDist = trackingDistance(s);
+    imageStore(gOut_Track, s.pixel, vec4(hitDist));
+    float roughness = widenedRoughness(s);
+    bool isValid;
+    vec4 signal = sanitize(texelFetch(gIn_Specular, s.pixel, 0), isValid);
+    float motion = saturate(length((surface.uv - s.uv) * g.rectSize) / 0.25);
+    VirtualTrack image = trackVirtual(s, surface, hitDist, motionCurvature(s, surface));
+
+    vec2 confidence = vec2(surface.quality, image.quality);
+    if (kHasConfidence)
+    {
+        confidence.x = min(confidence.x, textureLod(sampler2D(gIn_SpecularConfidence, gLinearClamp), surface.uv, 0.0).x);
+        confidence.y = min(confidence.y, textureLod(sampler2D(gIn_SpecularConfidence, gLinearClamp), image.uv, 0.0).x);
+    }
+    vec2 n = vec2(applyConfidence(surface.n[kSpecularChannel], confidence.x), applyConfidence(image.n, confidence.y));
+    vec2 trust = vec2(surfaceConfidence(s, surface, roughness, signal.w, motion), image.confidence);
+    vec2 responsive = vec2(responsiveLength(roughness, dot(surface.NoN, surface.footprint.bilinear)),
+                           responsiveLength(roughness, image.NoN));
+    n = min(n, g.maxAccumulatedFrameNum * trust);
+    // Responsiveness alone must not trigger the history fix, so the length that is passed on is capped more mildly.
+    vec2 nFix = min(n, max(responsive, vec2(g.historyFixFrameNum)));
+    n = min(n, responsive);
+
+    bool isAttached = kHasMaterialTest && s.guide.materialID == g.cameraAttachedMaterialID;
+    float amount = virtualAmount(n.y, n.x) * (isAttached ? 1.0 : motion);
+    // A position between two different surfaces would smear.
+    if (!surface.isCubic || !image.isCubic) amount = amount >= 0.5 ? 1.0 : 0.0;
+    HistoryRead read;
+    read.position = clamp(mix(surface.uv, image.uv, amount), 0.0, 1.0) * g.rectSizePrev;
+    read.weights = mix(surface.weights, image.weights, amount);
+    read.origin = makeFootprint(read.position).origin;
+    if (amount == 0.0) read.origin = surface.footprint.origin;
+    if (amount == 1.0) read.origin = image.footprint.origin;
+    read.isCubic = amount >= 0.5 ? image.isCubic : surface.isCubic;
+
+    float length = mix(n.x, n.y, amount);
+    result.n = mix(nFix.x, nFix.y, amount);
+    vec4 history = readSignal(gIn_SpecularHistory, read);
+    if (!isValid) signal = history;
+    vec4 mixed = mixHistory(history, signal, length, s.guide.roughness);
+    imageStore(gOut_Specular, s.pixel, mixed);
+    float fastHistory = fetchBilinear(gIn_Fast, read.origin, read.weights, lastPrevTexel())[kSpecularChannel];
+    float fastLength = g.maxFastAccumulatedFrameNum;
+    if (kHasMaterialTest && s.guide.materialID == g.strandMaterialID)
+        fastLength = max(fastLength, g.maxAccumulatedFrameNum * 0.2);
+    float fastWeight = max(1.0 - mix(trust.x, trust.y, amount), newSampleWeight(min(length, fastLength)));
+    result.fast = limitFast(mix(fastHistory, signal.x, fastWeight), history.x, length);
+    result.stabHistory = kHasStabilization ? readStabilized(kSpecularChannel, read) : 0.0;
+    float valid = mix(dot(surface.weights, vec4(1.0)), dot(image.weights, vec4(1.0)), amount);
+    result.stabWeight = g.isHistoryReset != 0u ? 0.0 : sqrt(saturate(valid));
+    return result;
+}
+
+#endif

@@ -1,0 +1,44 @@
+// First recurrent blur. Also keeps this frame's depth for the next.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "recurrent_blur.glsl"
+
+layout(local_size_x = 8, local_size_y = 16) in;
+layout(set = SET_RESOURCES, binding = 0) uniform texture2D gIn_Tiles;
+layout(set = SET_RESOURCES, binding = 1) uniform texture2D gIn_ViewZ;
+layout(set = SET_RESOURCES, binding = 2) uniform texture2D gIn_NormalRoughness;
+layout(set = SET_RESOURCES, binding = 3) uniform texture2D gIn_Length;
+#if HAS_DIFFUSE
+layout(set = SET_RESOURCES, binding = 4) uniform texture2D gIn_Diffuse;
+layout(set = SET_RESOURCES, binding = 4 + LOBE_NUM) uniform writeonly image2D gOut_Diffuse;
+#endif
+#if HAS_SPECULAR
+layout(set = SET_RESOURCES, binding = 3 + LOBE_NUM) uniform texture2D gIn_Specular;
+layout(set = SET_RESOURCES, binding = 3 + 2 * LOBE_NUM) uniform writeonly image2D gOut_Specular;
+#endif
+layout(set = SET_RESOURCES, binding = 4 + 2 * LOBE_NUM) uniform writeonly image2D gOut_PrevViewZ;
+
+void main()
+{
+    ivec2 position = ivec2(gl_GlobalInvocationID.xy);
+    if (!isInRect(position)) return;
+    // Copied before any exit: a stale depth in sky would let the next frame accept garbage.
+    float storedViewZ = texelFetch(gIn_ViewZ, guideTexel(position), 0).x;
+    imageStore(gOut_PrevViewZ, position, vec4(storedViewZ));
+    float viewZ = decodeViewZ(storedViewZ);
+    if (!isInRange(viewZ)) return;
+    Pixel p = makePixel(position, viewZ, decodeGuide(texelFetch(gIn_NormalRoughness, guideTexel(position), 0)));
+    vec2 narrowing = adaptedConvergence(gIn_Length, gIn_ViewZ, position);
+    BlurPass pass = BlurPass(g.rotatorBlur, 1.0, 1.0);
+#if HAS_DIFFUSE
+    Lobe diffuse = Lobe(1.0, g.minMaterialForDiffuse, g.maxBlurRadius);
+    imageStore(gOut_Diffuse, position,
+               blurLobe(gIn_Diffuse, gIn_ViewZ, gIn_NormalRoughness, p, diffuse, false, position, narrowing.x, pass));
+#endif
+#if HAS_SPECULAR
+    Lobe specular = Lobe(p.guide.roughness, g.minMaterialForSpecular, g.maxBlurRadius);
+    imageStore(gOut_Specular, position,
+               blurLobe(gIn_Specular, gIn_ViewZ, gIn_NormalRoughness, p, specular, true, position,
+                        narrowing[kSpecularChannel], pass));
+#endif
+}

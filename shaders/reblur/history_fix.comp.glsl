@@ -1,0 +1,207 @@
+// Fills pixels with a short history from a wide sparse neighbourhood, then bounds the long history's luma by statistics
+// of the fast one, which is short and never blurred.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "spatial_filter.glsl"
+
+layout(local_size_x = 8, local_size_y = 16) in;
+layout(set = SET_RESOURCES, binding = 0) uniform texture2D gIn_Tiles;
+layout(set = SET_RESOURCES, binding = 1) uniform texture2D gIn_ViewZ;
+layout(set = SET_RESOURCES, binding = 2) uniform texture2D gIn_NormalRoughness;
+layout(set = SET_RESOURCES, binding = 3) uniform texture2D gIn_Length;
+#define FIRST_OUT (5 + LOBE_NUM + HAS_SPECULAR)
+#if HAS_DIFFUSE
+layout(set = SET_RESOURCES, binding = 4) uniform texture2D gIn_Diffuse;
+layout(set = SET_RESOURCES, binding = FIRST_OUT) uniform writeonly image2D gOut_Diffuse;
+#endif
+#if HAS_SPECULAR
+layout(set = SET_RESOURCES, binding = 3 + LOBE_NUM) uniform texture2D gIn_Specular;
+layout(set = SET_RESOURCES, binding = 5 + LOBE_NUM) uniform texture2D gIn_Track;
+layout(set = SET_RESOURCES, binding = FIRST_OUT + LOBE_NUM - 1) uniform writeonly image2D gOut_Specular;
+#endif
+layout(set = SET_RESOURCES, binding = 4 + LOBE_NUM) uniform texture2D gIn_Fast;
+layout(set = SET_RESOURCES, binding = FIRST_OUT + LOBE_NUM) uniform writeonly image2D gOut_Fast;
+
+const int kRadius = 4;
+const ivec2 kHalo = ivec2(8 + 2 * kRadius, 16 + 2 * kRadius);
+const float kAntiFireflySigmaScale = 2.0;
+const float kInvalid = -1.0; // lumas are not negative
+
+shared vec2 sFast[kHalo.y][kHalo.x]; // per lobe
+
+void loadFast(ivec2 group)
+{
+    for (int i = int(gl_LocalInvocationIndex); i < kHalo.x * kHalo.y; i += 128)
+    {
+        ivec2 local = ivec2(i % kHalo.x, i / kHalo.x);
+        ivec2 pixel = group + local - kRadius;
+        ivec2 inside = clampToRect(pixel);
+        bool isUsed = pixel == inside && isInRange(decodeViewZ(texelFetch(gIn_ViewZ, guideTexel(inside), 0).x));
+        sFast[local.y][local.x] = isUsed ? texelFetch(gIn_Fast, inside, 0).xy : vec2(kInvalid);
+    }
+}
+
+struct Moments
+{
+    vec2 mean;
+    vec2 sigma;
+};
+
+// Over the square of the given radius without an inner square; the centre may have been replaced since it was loaded.
+Moments fastMoments(int radius, int innerRadius, vec2 centre)
+{
+    ivec2 local = ivec2(gl_LocalInvocationID.xy) + kRadius;
+    vec2 sum = vec2(0.0), sumSquared = vec2(0.0);
+    float count = 0.0;
+    for (int y = -radius; y <= radius; y++)
+    {
+        for (int x = -radius; x <= radius; x++)
+        {
+            if (max(abs(x), abs(y)) <= innerRadius) continue;
+            vec2 value = sFast[local.y + y][local.x + x];
+            // What is out of range counts as the centre.
+            value = (x == 0 && y == 0) || value.x == kInvalid ? centre : value;
+            sum += value;
+            sumSquared += value * value;
+            count += 1.0;
+        }
+    }
+    vec2 mean = sum / count;
+    return Moments(mean, sqrt(abs(sumSquared / count - mean * mean)));
+}
+
+// Which share of a pixel and its 2x2 partners needs the fix: a smaller stride where they are stable.
+vec2 fixAmount(ivec2 position, vec2 n)
+{
+    vec2 own = vec2(lessThan(n, vec2(g.historyFixFrameNum)));
+    vec2 sum = own;
+    for (int i = 0; i < 2; i++)
+    {
+        ivec2 partner = clampToRect(position ^ ivec2(1 - i, i));
+        if (!isInRange(decodeViewZ(texelFetch(gIn_ViewZ, guideTexel(partner), 0).x))) continue;
+        sum += vec2(lessThan(unpackLengths(texelFetch(gIn_Length, partner, 0).xy), vec2(g.historyFixFrameNum)));
+    }
+    return min(own, sum * (1.0 / 3.0));
+}
+
+ivec2 mirrorPixel(ivec2 pixel)
+{
+    pixel = abs(pixel);
+    return clampToRect(min(pixel, 2 * g.rectSizeMinusOne - pixel));
+}
+
+float fixTapWeight(Pixel p, Lobe lobe, bool isSpecular, ivec2 pixel, Weights w)
+{
+    float viewZ = decodeViewZ(texelFetch(gIn_ViewZ, guideTexel(pixel), 0).x);
+    Guide guide = decodeGuide(texelFetch(gIn_NormalRoughness, guideTexel(pixel), 0));
+    if (!isInRange(viewZ) || !isSameMaterial(p.guide.materialID, guide.materialID, lobe.minMaterial)) return 0.0;
+    vec3 Xv = reconstructViewPosition(pixelUv(pixel), g.frustum, viewZ, g.cameraDelta.w);
+    float weight = heavy(acosApprox(dot(p.guide.N, guide.N)) * w.normal);
+    weight *= soft(abs(dot(p.Nv, Xv - p.Xv)) * w.plane);
+    if (isSpecular) weight *= heavy(abs(square(guide.roughness) - square(p.guide.roughness)) * w.roughness);
+    return weight;
+}
+
+// 5x5 grid without corners and centre; taps that already have history count for more.
+vec4 fixHistory(texture2D signal, Pixel p, Lobe lobe, bool isSpecular, ivec2 position, float n, float amount,
+                float tracking)
+{
+    vec4 centre = texelFetch(signal, position, 0);
+    float alpha = newSampleWeight(n);
+    float spread = NRD_GetLobeSpread(lobe.roughness, 0.25);
+    float hitDist = getHitDist(centre.w, p.viewZ, lobe.roughness);
+    // Tracking distance guides sharp lobes better, but as a minimum it is too small for rough ones.
+    if (isSpecular) hitDist = mix(tracking, hitDist, spread);
+    float reference = REBLUR_FrontEnd_GetNormHitDist(hitDist, p.viewZ, g.hitDistanceParameters.xyz, lobe.roughness);
+    bool isAlternate = kHasMaterialTest && p.guide.materialID == g.historyFixAlternateMaterialID;
+    float stride = 0.5 * amount * (isAlternate ? g.historyFixAlternateStride : g.historyFixStride);
+    stride *= mix(0.25 + 0.75 * sqrt(hitDistFactor(hitDist, p.frustumSize)), 1.0, alpha);
+    if (isSpecular) stride *= mix(0.25, 1.0, spread);
+    int step = int(stride + 0.5);
+    if (step == 0) return centre;
+
+    Weights w = makeWeights(p, lobe, isSpecular, alpha, 1.0, 0.0);
+    float m = square(lobe.roughness);
+    w.roughness = 1.0 / mix(0.01, 1.0, mix(m * m, m, saturate(sqrt(g.roughnessFraction))));
+    vec4 sum = centre * (1.0 + n);
+    float weightSum = 1.0 + n;
+    int channel = isSpecular ? kSpecularChannel : 0;
+    for (int i = 0; i < 25; i++)
+    {
+        ivec2 offset = ivec2(i % 5, i / 5) - 2;
+        if (i == 12 || abs(offset.x) + abs(offset.y) == 4) continue;
+        ivec2 pixel = mirrorPixel(position + offset * step);
+        float weight = fixTapWeight(p, lobe, isSpecular, pixel, w);
+        vec4 value = texelFetch(signal, pixel, 0);
+        weight *= heavy(abs(value.w - reference) * w.hitDist);
+        weight *= 1.0 + unpackLengths(texelFetch(gIn_Length, pixel, 0).xy)[channel];
+        sum += weight > 0.0 ? value * weight : vec4(0.0);
+        weightSum += weight;
+    }
+    return sum / weightSum;
+}
+
+float clampTo(float value, Moments m, int lobe, float scale)
+{
+    return clamp(value, m.mean[lobe] - m.sigma[lobe] * scale, m.mean[lobe] + m.sigma[lobe] * scale);
+}
+
+// The longer the history, the more the fast one bounds it; not at all where both are equally long.
+float fastClamp(float luma, Moments m, int lobe, float n, float sigmaScale)
+{
+    float isOn = g.maxFastAccumulatedFrameNum < g.maxAccumulatedFrameNum ? 1.0 : 0.0;
+    return mix(clampTo(luma, m, lobe, sigmaScale), luma, 1.0 / (1.0 + 2.0 * n * isOn));
+}
+
+void main()
+{
+    ivec2 group = ivec2(gl_WorkGroupID.xy) * ivec2(8, 16);
+    if (texelFetch(gIn_Tiles, group / TILE_SIZE, 0).x > 0.5) return; // the same for the whole group
+    loadFast(group);
+    barrier();
+    ivec2 position = ivec2(gl_GlobalInvocationID.xy);
+    if (!isInRect(position)) return;
+    float viewZ = decodeViewZ(texelFetch(gIn_ViewZ, guideTexel(position), 0).x);
+    if (!isInRange(viewZ)) return;
+    Pixel p = makePixel(position, viewZ, decodeGuide(texelFetch(gIn_NormalRoughness, guideTexel(position), 0)));
+    vec2 n = unpackLengths(texelFetch(gIn_Length, position, 0).xy);
+    vec2 amount = fixAmount(position, n);
+    vec2 share = clamp(n / max(g.historyFixFrameNum, 1e-3), 0.0, 1.0);
+    vec4 signals[2] = vec4[](vec4(0.0), vec4(0.0)); // by channel
+#if HAS_DIFFUSE
+    Lobe diffuse = Lobe(1.0, g.minMaterialForDiffuse, 0.0);
+    signals[0] = fixHistory(gIn_Diffuse, p, diffuse, false, position, n.x, amount.x, 0.0);
+#endif
+#if HAS_SPECULAR
+    Lobe specular = Lobe(p.guide.roughness, g.minMaterialForSpecular, 0.0);
+    signals[kSpecularChannel] = fixHistory(gIn_Specular, p, specular, true, position, n[kSpecularChannel],
+                                           amount[kSpecularChannel], texelFetch(gIn_Track, position, 0).x);
+    // Filled-in data is unwanted in the fast history of sharp lobes.
+    share[kSpecularChannel] = mix(1.0, share[kSpecularChannel], NRD_GetLobeSpread(p.guide.roughness, 0.25));
+#endif
+    vec2 own = sFast[int(gl_LocalInvocationID.y) + kRadius][int(gl_LocalInvocationID.x) + kRadius];
+    vec2 fast = mix(vec2(signals[0].x, signals[1].x), own, share);
+    imageStore(gOut_Fast, position, vec4(fast, 0.0, 0.0));
+
+    vec2 luma = vec2(signals[0].x, signals[1].x);
+    if (kHasAntiFirefly)
+    {
+        // The inner 3x3 is left out: a firefly's own blob must not widen the bounds.
+        Moments wide = fastMoments(4, 1, fast);
+        for (int i = 0; i < LOBE_NUM; i++) luma[i] = clampTo(luma[i], wide, i, kAntiFireflySigmaScale);
+    }
+    Moments near = fastMoments(2, -1, fast);
+    bool isStrand = kHasMaterialTest && p.guide.materialID == g.strandMaterialID;
+    for (int i = 0; i < LOBE_NUM; i++)
+    {
+        bool isSpecular = HAS_SPECULAR == 1 && i == kSpecularChannel;
+        float scale = isStrand && isSpecular ? max(g.fastClampSigmaScale, 3.0) : g.fastClampSigmaScale;
+        signals[i] = changeLuma(signals[i], fastClamp(luma[i], near, i, n[i], scale));
+    }
+#if HAS_DIFFUSE
+    imageStore(gOut_Diffuse, position, signals[0]);
+#endif
+#if HAS_SPECULAR
+    imageStore(gOut_Specular, position, signals[kSpecularChannel]);
+#endif
+}

@@ -1,0 +1,136 @@
+// Shared by the REBLUR passes: constants, permutation switches, reading of guides, and the factors of the method.
+// LOBES: 1 diffuse, 2 specular, 3 both.
+#ifndef REBLUR_GLSL
+#define REBLUR_GLSL
+#include "bindings.h"
+#include "reblur_constants.h"
+#include "math.glsl"
+#include "geometry.glsl"
+#include "nrd_frontend.glsl"
+
+#define HAS_DIFFUSE (LOBES & 1)
+#define HAS_SPECULAR ((LOBES >> 1) & 1)
+#define LOBE_NUM (HAS_DIFFUSE + HAS_SPECULAR)
+
+layout(constant_id = SPEC_NORMAL_ENCODING) const int kNormalEncoding = NRD_NORMAL_R10G10B10A2_UNORM;
+layout(constant_id = SPEC_ROUGHNESS_ENCODING) const int kRoughnessEncoding = NRD_ROUGHNESS_LINEAR;
+layout(constant_id = SPEC_HAS_PREPASS) const bool kHasPrepass = true;
+layout(constant_id = SPEC_HAS_STABILIZATION) const bool kHasStabilization = true;
+layout(constant_id = SPEC_HAS_MATERIAL_TEST) const bool kHasMaterialTest = false;
+layout(constant_id = SPEC_HAS_CONFIDENCE) const bool kHasConfidence = false;
+layout(constant_id = SPEC_HAS_DISOCCLUSION_MIX) const bool kHasDisocclusionMix = false;
+layout(constant_id = SPEC_HAS_ANTI_FIREFLY) const bool kHasAntiFirefly = true;
+
+layout(set = SET_CONSTANTS, binding = BINDING_CONSTANTS, std140) uniform Constants { ReblurConstants g; };
+layout(set = SET_CONSTANTS, binding = BINDING_SAMPLERS) uniform sampler gNearestClamp;
+layout(set = SET_CONSTANTS, binding = BINDING_SAMPLERS + 1) uniform sampler gLinearClamp;
+
+const int kSpecularChannel = LOBE_NUM - 1; // of textures that hold one scalar per lobe; diffuse is channel 0
+const float kTrackingMax = 65000.0; // hit distances are stored in half floats
+
+//----------------------------------------------------------------------------------------------------------------------
+// Guides
+
+// Comparisons are written so that NaN counts as out of range.
+bool isInRange(float viewZ) { return viewZ < g.denoisingRange; }
+bool isInRect(ivec2 pixel) { return all(lessThanEqual(pixel, g.rectSizeMinusOne)); }
+ivec2 clampToRect(ivec2 pixel) { return clamp(pixel, ivec2(0), g.rectSizeMinusOne); }
+ivec2 guideTexel(ivec2 pixel) { return pixel + g.rectOrigin; }
+vec2 pixelUv(ivec2 pixel) { return (vec2(pixel) + 0.5) * g.rectSizeInv; }
+
+// 1e-4 keeps the frustum's size, a divisor of every distance weight, away from zero.
+float decodeViewZ(float stored) { return max(abs(stored * g.viewZScale), 1e-4); }
+
+struct Guide
+{
+    vec3 N;
+    float roughness;
+    uint materialID;
+};
+
+Guide decodeGuide(vec4 packed)
+{
+    float materialID;
+    vec4 normalRoughness = NRD_UnpackNormalAndRoughness(packed, kNormalEncoding, kRoughnessEncoding, materialID);
+    return Guide(normalRoughness.xyz, normalRoughness.w, uint(materialID));
+}
+
+bool isSameMaterial(uint a, uint b, uint minMaterial)
+{
+    return !kHasMaterialTest || max(a, minMaterial) == max(b, minMaterial);
+}
+
+vec3 viewDirection(vec3 X) // surface to camera
+{
+    return g.cameraDelta.w != 0.0 ? g.viewDirection.xyz : -X * inversesqrt(max(dot(X, X), 1e-20));
+}
+
+float getPixelSize(float viewZ) { return pixelSize(g.unproject, viewZ, g.cameraDelta.w); }
+float getFrustumSize(float viewZ) { return g.minRectDim * getPixelSize(viewZ); }
+
+//----------------------------------------------------------------------------------------------------------------------
+// History lengths: quarter frames in 8 bits
+
+vec2 unpackLengths(vec2 stored) { return floor(stored * 255.0 + 0.5) * 0.25; }
+vec2 packLengths(vec2 frames) { return clamp(frames * (4.0 / 255.0), 0.0, 1.0); }
+uint packLengthWord(vec2 frames)
+{
+    uvec2 q = uvec2(clamp(frames * 4.0 + 0.5, 0.0, 255.0));
+    return LOBE_NUM == 2 ? q.x | (q.y << 8) : q.x;
+}
+vec4 unpackLengthWords(uvec4 words, int channel) { return vec4((words >> uint(8 * channel)) & 0xFFu) * 0.25; }
+
+// Weight of the new sample for a history of n frames.
+float newSampleWeight(float n) { return 1.0 / (1.0 + n); }
+
+// Falls from 1 to about 1 / (1 + n), later than that: residual noise of a fresh history is worse than excess blur.
+float convergence(float n)
+{
+    float e = g.convergence.x + g.convergence.y * saturate(n * g.convergenceLengthInv);
+    return 1.0 / (1.0 + e * n);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+// Signals: (Y, Co, Cg, normalised hit distance)
+
+float getHitDist(float normHitDist, float viewZ, float roughness)
+{
+    return REBLUR_GetHitDist(normHitDist, viewZ, g.hitDistanceParameters.xyz, roughness);
+}
+
+// The share of the screen the hit distance spans; near contacts it is 0 and every kernel collapses.
+float hitDistFactor(float hitDist, float frustumSize) { return saturate(hitDist / frustumSize); }
+
+vec4 changeLuma(vec4 signal, float luma)
+{
+    // eps on both sides: black stays black instead of 0 / 0.
+    return vec4(signal.xyz * ((luma + NRD_LUMA_EPS) / (signal.x + NRD_LUMA_EPS)), signal.w);
+}
+
+// Catmull-Rom has negative lobes; negative energy left in the chroma circulates as coloured speckle.
+vec4 clampNegatives(vec4 signal)
+{
+    return vec4(NRD_LinearToYCoCg(NRD_YCoCgToLinear(signal.xyz)), saturate(signal.w));
+}
+
+// Noisy input may be anything; what is not finite counts as "no sample".
+vec4 sanitize(vec4 signal, out bool isValid)
+{
+    isValid = isFinite(signal);
+    return isValid ? clamp(signal, vec4(0.0, -NRD_FP16_MAX, -NRD_FP16_MAX, 0.0), vec4(vec3(NRD_FP16_MAX), 1.0))
+                   : vec4(0.0);
+}
+
+// Half the size of one lobe-angle cut-off: convergence narrows the admissible angle so that normal detail returns.
+float normalCutoff(float roughness, float narrowing)
+{
+    float share = 0.75 * mix(g.lobeAngleFraction, 1.0, narrowing);
+    return max(atan(lobeTangent(roughness, share)), normalEncodingError(kNormalEncoding));
+}
+
+vec4 packScalars(float diffuse, float specular)
+{
+    return LOBES == 2 ? vec4(specular) : vec4(diffuse, specular, 0.0, 0.0);
+}
+
+#endif

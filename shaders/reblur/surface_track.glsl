@@ -1,0 +1,162 @@
+// The history a pixel's own surface left on the previous frame's screen.
+// Needs gIn_PrevViewZ, gIn_PrevNormalRoughness, gIn_PrevLength.
+#ifndef SURFACE_TRACK_GLSL
+#define SURFACE_TRACK_GLSL
+#include "reblur.glsl"
+#include "history.glsl"
+
+struct Surface
+{
+    ivec2 pixel;
+    vec2 uv;
+    float viewZ;
+    float pixelSize;   // world
+    float frustumSize; // world
+    vec3 X;
+    vec3 V;
+    float NoV;
+    vec3 meanN; // of four neighbours, not normalised
+    Guide guide;
+    float disocclusionThreshold; // fraction of the frustum's size
+};
+
+struct SurfaceTrack
+{
+    vec2 uv;
+    vec3 Xprev;
+    float parallaxMax; // pixels; the safe choice for rejection
+    float parallaxMin; // pixels; how far may be looked along the motion
+    vec2 direction;    // of apparent motion, unit, pixels
+    Footprint footprint;
+    vec4 valid;   // 0 or 1
+    vec4 weights; // bilinear * valid
+    vec4 NoN;     // of the footprint's normals with the mean normal
+    bool isCubic; // all 12 texels valid: Catmull-Rom is allowed
+    float quality;
+    vec2 n; // frames, diffuse and specular
+};
+
+ivec2 lastPrevTexel() { return ivec2(g.rectSizePrev) - 1; }
+
+// Motion: where the surface was, on screen and in space.
+void applyMotion(Surface s, vec3 texel, inout SurfaceTrack track)
+{
+    vec3 mv = texel * g.motionVectorScale.xyz;
+    if (g.motionVectorScale.w != 0.0)
+    {
+        track.Xprev = s.X + mv;
+        track.uv = projectToUv(g.worldToClipPrev, track.Xprev);
+        return;
+    }
+    track.uv = s.uv + mv.xy;
+    // 2D motion knows no depth: the surface is taken as static.
+    float viewZPrev = g.motionVectorScale.z != 0.0 ? s.viewZ + mv.z : transform(g.worldToViewPrev, s.X).z;
+    vec3 Xv = reconstructViewPosition(track.uv, g.frustumPrev, max(viewZPrev, 1e-4), g.cameraDelta.w);
+    track.Xprev = transform(g.viewToWorldPrev, Xv);
+}
+
+// Both vanish under pure rotation of the camera; they differ on surfaces that move with it.
+void measureParallax(Surface s, inout SurfaceTrack track)
+{
+    vec2 rest = projectToUv(g.worldToClipPrev, track.Xprev + g.cameraDelta.xyz);
+    vec2 a = (rest - track.uv) * g.rectSize;
+    vec2 b = (projectToUv(g.worldToClip, track.Xprev - g.cameraDelta.xyz) - s.uv) * g.rectSize;
+    float lengthA = length(a), lengthB = length(b);
+    track.parallaxMax = max(lengthA, lengthB);
+    track.parallaxMin = min(lengthA, lengthB);
+    track.direction = -a / max(lengthA, 1.0 / 256.0);
+}
+
+// Slanted planes change depth fast per pixel, so the threshold grows with 1 / cosine; not under high parallax, where
+// that would smear behind silhouettes.
+float disocclusionDistance(Surface s, float parallax)
+{
+    float cosine = mix(s.NoV, 1.0, saturate(parallax / 30.0));
+    return s.frustumSize * saturate(s.disocclusionThreshold / max(0.05, cosine));
+}
+
+vec4 gatherPrevViewZ(ivec2 texel)
+{
+    vec2 uv = (vec2(texel) + 1.0) * g.resourceSizeInvPrev;
+    vec4 z = gatherOrder(textureGather(sampler2D(gIn_PrevViewZ, gNearestClamp), uv));
+    return max(abs(z * g.viewZScale), vec4(1e-4));
+}
+
+vec4 testDepths(vec4 depths, float expected, float threshold)
+{
+    vec4 isClose = vec4(lessThanEqual(abs(depths - expected), vec4(threshold)));
+    return isClose * vec4(lessThan(depths, vec4(g.denoisingRange)));
+}
+
+// Twelve texels in four quadrants, each tied to its inner texel of the 2x2 footprint by normal and material.
+void testSurface(Surface s, inout SurfaceTrack track)
+{
+    ivec2 origin = track.footprint.origin;
+    float threshold = disocclusionDistance(s, track.parallaxMax);
+    float viewZPrev = transform(g.worldToViewPrev, track.Xprev).z;
+    // Without motion a little back-facing noise is tolerated.
+    float minCosine = 0.01745 - 0.25 * ramp(0.25, 0.0, track.parallaxMax);
+    uint minMaterial = min(g.minMaterialForDiffuse, g.minMaterialForSpecular);
+    vec4 inside = footprintInside(origin, lastPrevTexel());
+    vec4 quadrantSum = vec4(0.0);
+    for (int i = 0; i < 4; i++)
+    {
+        ivec2 quadrant = ivec2(i & 1, i >> 1);
+        Guide other = decodeGuide(texelFetch(gIn_PrevNormalRoughness,
+                                             footprintTexel(origin, i, lastPrevTexel()), 0));
+        track.NoN[i] = dot(other.N, s.meanN);
+        bool isAccepted = inside[i] > 0.0 && track.NoN[i] > minCosine &&
+                          isSameMaterial(s.guide.materialID, other.materialID, minMaterial);
+        // -eps: a zeroed threshold rejects even equality.
+        vec4 passed = testDepths(gatherPrevViewZ(origin - 1 + 2 * quadrant), viewZPrev,
+                                 (isAccepted ? threshold : 0.0) - kEps);
+        track.valid[i] = passed[3 - i];
+        quadrantSum[i] = dot(passed, vec4(1.0)) - passed[i];
+    }
+    track.isCubic = all(greaterThanEqual(quadrantSum, vec4(2.5)));
+    track.weights = track.footprint.bilinear * track.valid;
+}
+
+// Partial footprints, and ones that were seen at a more grazing angle, are worth less.
+float surfaceQuality(Surface s, SurfaceTrack track)
+{
+    vec3 toCameraPrev = g.cameraDelta.w != 0.0 ? g.viewDirection.xyz : normalize(g.cameraDelta.xyz - track.Xprev);
+    float cosinePrev = abs(dot(s.guide.N, toCameraPrev));
+    float size = saturate(square((cosinePrev + 1e-3) / (s.NoV + 1e-3)));
+    return sqrt(saturate(dot(track.weights, vec4(1.0)))) * mix(0.1, 1.0, size);
+}
+
+// A confidence of 1 leaves the length alone, 0 is practically a reset; short histories are cut less.
+float applyConfidence(float n, float confidence) { return n * mix(confidence, 1.0, 1.0 / (1.0 + n)); }
+
+vec2 fetchLengths(ivec2 origin, vec4 weights)
+{
+    vec2 uv = (vec2(origin) + 1.0) * g.resourceSizeInvPrev;
+    uvec4 words = gatherOrder(textureGather(usampler2D(gIn_PrevLength, gNearestClamp), uv));
+    vec2 n = vec2(customBilinear(unpackLengthWords(words, 0), weights), 0.0);
+    if (LOBE_NUM == 2) n.y = customBilinear(unpackLengthWords(words, 1), weights);
+    return g.isHistoryReset != 0u ? vec2(0.0) : min(n, g.maxAccumulatedFrameNum);
+}
+
+SurfaceTrack trackSurface(Surface s, vec3 motion)
+{
+    SurfaceTrack track;
+    applyMotion(s, motion, track);
+    measureParallax(s, track);
+    // Nearly static hair: accept almost anything, or sub-pixel geometry resets every frame.
+    if (kHasMaterialTest && s.guide.materialID == g.strandMaterialID)
+        s.disocclusionThreshold = mix(0.25, s.disocclusionThreshold, smooth01(track.parallaxMax));
+    // Clamped: a wild motion vector must not overflow the integer texel.
+    track.footprint = makeFootprint(clamp(track.uv, -1.0, 2.0) * g.rectSizePrev);
+    testSurface(s, track);
+    if (!isInScreen(track.uv))
+    {
+        track.valid = track.weights = vec4(0.0);
+        track.isCubic = false;
+    }
+    track.quality = surfaceQuality(s, track);
+    track.n = fetchLengths(track.footprint.origin, track.weights);
+    return track;
+}
+
+#endif
