@@ -95,6 +95,9 @@ public:
     /// Waits for everything submitted; the only call that does.
     virtual void waitIdle() = 0;
 
+    /// The device underneath all decorators, or this one.
+    virtual const Device& backend() const { return *this; }
+
 protected:
     Device() = default;
 };

@@ -52,6 +52,7 @@ struct VulkanNativeDevice
     const VkPhysicalDeviceFeatures* enabledFeatures = nullptr;
     bool isSynchronization2Enabled = false;         // the feature, through Vulkan 1.3 or VK_KHR_synchronization2
     bool isDebugUtilsEnabled = false;               // VK_EXT_debug_utils on the instance
+    bool isFloat16Enabled = false;                  // shaderFloat16 and storageBuffer16BitAccess
     VkPipelineCache pipelineCache = VK_NULL_HANDLE; // may be null
     const VkAllocationCallbacks* allocationCallbacks = nullptr; // may be null; passed to every call that takes them
 };
