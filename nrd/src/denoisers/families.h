@@ -1,0 +1,11 @@
+// The families of this build. A new family is one file beside this one and one entry here.
+#pragma once
+#include "pass_table.h"
+
+namespace nrd
+{
+extern const Family kReblur;
+extern const Family kReference;
+
+constexpr const Family* kFamilies[] = {&kReblur, &kReference};
+} // namespace nrd

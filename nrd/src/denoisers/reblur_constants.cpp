@@ -1,0 +1,139 @@
+#include "frame_state.h"
+#include "reblur.h"
+#include <algorithm>
+#include <cmath>
+
+namespace nrd
+{
+namespace
+{
+constexpr uint32_t kHistoryMaxFrameNum = 63; // six bits per lobe
+
+float toFloat(double x) { return static_cast<float>(x); }
+shared::vec2 toVec2(const uint16_t (&size)[2]) { return {static_cast<float>(size[0]), static_cast<float>(size[1])}; }
+shared::vec2 inverse(const uint16_t (&size)[2]) { return {1.0f / size[0], 1.0f / size[1]}; }
+
+// Golden-ratio sequence frac(start + frame * phi) in 24 bits; 90 degrees cover the kernel's four-fold symmetry.
+double kernelAngle(double start, uint32_t frameIndex)
+{
+    const double x = start + static_cast<double>(frameIndex * 10368889u) / 16777216.0;
+    return (x - std::floor(x)) * 1.57079632679489661923;
+}
+
+shared::vec4 makeRotator(double angle)
+{
+    const float c = toFloat(std::cos(angle)), s = toFloat(std::sin(angle));
+    return {c, s, -s, c};
+}
+
+void fillFrame(const Request& request, shared::ReblurConstants& g)
+{
+    const CommonSettings& common = request.common;
+    const FrameState& frame = request.frame;
+    g.worldToClip = frame.worldToClip;
+    g.worldToClipPrev = frame.worldToClipPrev;
+    g.worldToViewPrev = frame.worldToViewPrev;
+    g.viewToWorld = frame.viewToWorld;
+    g.viewToWorldPrev = frame.viewToWorldPrev;
+    g.frustum = frame.frustum;
+    g.frustumPrev = frame.frustumPrev;
+    g.cameraDelta = frame.cameraDelta;
+    g.viewDirection = frame.viewDirection;
+    g.motionVectorScale = frame.motionVectorScale;
+    g.rectSize = toVec2(common.rectSize);
+    g.rectSizeInv = inverse(common.rectSize);
+    g.rectSizePrev = toVec2(common.rectSizePrev);
+    g.resourceSizeInv = inverse(common.resourceSize);
+    g.resourceSizeInvPrev = inverse(common.resourceSizePrev);
+    g.rectOrigin = {common.rectOrigin[0], common.rectOrigin[1]};
+    g.rectSizeMinusOne = {common.rectSize[0] - 1, common.rectSize[1] - 1};
+    g.unproject = frame.unproject;
+    g.minRectDim = frame.minRectDim;
+    g.denoisingRange = common.denoisingRange;
+    g.viewZScale = common.viewZScale;
+    g.frameRateScale = frame.frameRateScale;
+    g.frameIndex = common.frameIndex;
+    g.splitScreen = common.splitScreen;
+    g.splitScreenPrev = request.isReset ? common.splitScreen : request.history.splitScreen;
+    g.isHistoryReset = request.isReset ? 1 : 0;
+}
+
+void fillRotators(uint32_t frameIndex, shared::ReblurConstants& g)
+{
+    // 22.5 degrees keep the taps of the post-blur off the directions of the blur.
+    constexpr double kPostBlurOffset = 0.39269908169872415481;
+    const double blurAngle = kernelAngle(std::sqrt(1.0 / 3.0), frameIndex);
+    g.rotatorPrePass = makeRotator(kernelAngle(std::sqrt(0.5), frameIndex));
+    g.rotatorBlur = makeRotator(blurAngle);
+    g.rotatorPostBlur = makeRotator(blurAngle + kPostBlurOffset);
+}
+
+// A slanted plane moves by up to a pixel between frames, and by the jitter.
+void fillDisocclusion(const Request& request, shared::ReblurConstants& g)
+{
+    const float bonus = (1.0f + request.frame.jitterDelta) / request.common.rectSize[1];
+    g.disocclusionThreshold = request.common.disocclusionThreshold + bonus;
+    g.disocclusionThresholdAlternate = request.common.disocclusionThresholdAlternate + bonus;
+    g.strandThickness = request.common.strandThickness;
+    g.strandMaterialID = request.common.strandMaterialID;
+    g.cameraAttachedMaterialID = request.common.cameraAttachedReflectionMaterialID;
+    g.historyFixAlternateMaterialID = request.common.historyFixAlternatePixelStrideMaterialID;
+}
+
+void fillHistory(const Request& request, const ReblurSettings& s, shared::ReblurConstants& g)
+{
+    const uint32_t maxFrameNum = std::min(s.maxAccumulatedFrameNum, kHistoryMaxFrameNum);
+    const uint32_t maxFastFrameNum = std::min(s.maxFastAccumulatedFrameNum, kHistoryMaxFrameNum);
+    const float stabilizedFrameNum = static_cast<float>(s.maxStabilizedFrameNum);
+    const bool isStabReset = request.isReset || !request.history.isStabilized;
+
+    g.maxAccumulatedFrameNum = request.isReset ? 0.0f : static_cast<float>(maxFrameNum);
+    g.maxFastAccumulatedFrameNum = request.isReset ? 0.0f : static_cast<float>(maxFastFrameNum);
+    g.stabilizationStrength = isStabReset ? 0.0f : stabilizedFrameNum / (1.0f + stabilizedFrameNum);
+    g.historyFixFrameNum = static_cast<float>(s.historyFixFrameNum);
+    g.historyFixStride = static_cast<float>(s.historyFixBasePixelStride);
+    g.historyFixAlternateStride = static_cast<float>(s.historyFixAlternatePixelStride);
+    g.convergence = {s.convergenceSettings.s * s.convergenceSettings.b,
+                     s.convergenceSettings.s * (1.0f - s.convergenceSettings.b)};
+    g.convergenceLengthInv = 1.0f / (1.0f + s.convergenceSettings.p * static_cast<float>(maxFrameNum));
+    g.antilagSigmaScale = s.antilagSettings.luminanceSigmaScale;
+    g.antilagSensitivity = s.antilagSettings.luminanceSensitivity;
+    g.responsiveRoughnessThreshold = s.responsiveAccumulationSettings.roughnessThreshold;
+    g.responsiveMinFrameNum = static_cast<float>(s.responsiveAccumulationSettings.minAccumulatedFrameNum);
+}
+
+void fillFilters(const Request& request, const ReblurSettings& s, shared::ReblurConstants& g)
+{
+    // Dynamic resolution keeps the same blur relative to the screen.
+    const float scale = request.frame.resolutionScale;
+    g.minBlurRadius = s.minBlurRadius;
+    g.maxBlurRadius = std::max(s.maxBlurRadius * scale, s.minBlurRadius);
+    g.diffusePrepassRadius = s.diffusePrepassBlurRadius * scale;
+    g.specularPrepassRadius = s.specularPrepassBlurRadius * scale;
+    g.hitDistanceParameters = {s.hitDistanceParameters.A, s.hitDistanceParameters.B, s.hitDistanceParameters.C, 0.0f};
+    g.planeDistanceSensitivity = s.planeDistanceSensitivity;
+    g.lobeAngleFraction = s.lobeAngleFraction * s.lobeAngleFraction;
+    g.roughnessFraction = s.roughnessFraction;
+    g.minHitDistanceWeight = s.minHitDistanceWeight;
+    // Without spatial filtering the long history is as noisy as the fast one, so the box must be wider.
+    g.fastClampSigmaScale = toFloat(mix(3.0, s.fastHistoryClampingSigmaScale, saturate(s.maxBlurRadius / 2.0)));
+    g.fireflyMinScale = s.fireflySuppressorMinRelativeScale;
+    g.minMaterialForDiffuse = s.minMaterialForDiffuse;
+    g.minMaterialForSpecular = s.minMaterialForSpecular;
+    g.isPrepassTrackingOnly = s.usePrepassOnlyForSpecularMotionEstimation ? 1 : 0;
+    g.returnHistoryLength = s.returnHistoryLengthInsteadOfOcclusion ? 1 : 0;
+}
+} // namespace
+
+shared::ReblurConstants makeReblurConstants(const Request& request)
+{
+    const ReblurSettings& settings = std::get<ReblurSettings>(request.settings);
+    shared::ReblurConstants constants = {};
+    fillFrame(request, constants);
+    fillRotators(request.common.frameIndex, constants);
+    fillDisocclusion(request, constants);
+    fillHistory(request, settings, constants);
+    fillFilters(request, settings, constants);
+    return constants;
+}
+} // namespace nrd

@@ -1,0 +1,155 @@
+#include "expand.h"
+#include "denoisers/families.h"
+
+namespace nrd
+{
+namespace
+{
+bool usesTexture(const BoundSlot& slot, size_t texture)
+{
+    const auto is = [texture](const Binding& binding) { return binding.isTexture() && binding.texture == texture; };
+    return is(slot.binding) || (slot.isUsed && is(slot.otherwise));
+}
+
+Format formatOf(const TextureFormat& format, const Variant& variant, size_t signal, NormalEncoding encoding)
+{
+    switch (format.rule)
+    {
+    case FormatRule::Fixed:
+        return format.first;
+    case FormatRule::PerLobes:
+        return variant.lobes == kBoth ? format.second : format.first;
+    case FormatRule::PerSignal:
+        return variant.signals[signal].format;
+    case FormatRule::Guide:
+        return guideFormat(encoding);
+    }
+    return Format::MAX_NUM;
+}
+
+void addTextures(Program& program, NormalEncoding encoding)
+{
+    for (const TextureRow& row : program.family->textures)
+    {
+        if (!hasLobe(program.variant->lobes, row.lobes)) continue;
+        const size_t num = row.format.rule == FormatRule::PerSignal ? program.variant->signals.size() : 1;
+        for (size_t signal = 0; signal < num; signal++)
+        {
+            program.textures.push(
+                {&row, static_cast<uint8_t>(signal), formatOf(row.format, *program.variant, signal, encoding)});
+        }
+    }
+}
+
+uint8_t findTexture(const Program& program, uint8_t key, size_t signal)
+{
+    for (size_t i = 0; i < program.textures.size(); i++)
+    {
+        const Texture& texture = program.textures[i];
+        if (texture.row->key == key && texture.signal == signal) return static_cast<uint8_t>(i);
+    }
+    return 0; // a table that names a texture its variant lacks is caught by the unit tests
+}
+
+Binding bind(const Program& program, const Place& place, size_t signal)
+{
+    const SignalRow& row = program.variant->signals[signal];
+    switch (place.source)
+    {
+    case Source::User:
+        return {static_cast<ResourceType>(place.index), 0, false};
+    case Source::SignalInput:
+        return {row.input, 0, false};
+    case Source::SignalOutput:
+        return {row.output, 0, false};
+    case Source::Table:
+        break;
+    }
+    return {ResourceType::MAX_NUM, findTexture(program, place.index, place.isEach ? signal : 0), place.isPrevious};
+}
+
+template <size_t SlotNum, size_t BoundNum>
+void addSlots(const Program& program, const FixedList<Slot, SlotNum>& slots, FixedList<BoundSlot, BoundNum>& bound)
+{
+    for (const Slot& slot : slots)
+    {
+        if (!hasLobe(program.variant->lobes, slot.lobes)) continue;
+        const size_t num = slot.place.isEach ? program.variant->signals.size() : 1;
+        for (size_t signal = 0; signal < num; signal++)
+        {
+            BoundSlot& result = (bound.push({}), bound[bound.size() - 1]);
+            result.binding = bind(program, slot.place, signal);
+            result.isUsed = slot.isUsed;
+            if (slot.isUsed) result.otherwise = bind(program, slot.otherwise, signal);
+        }
+    }
+}
+} // namespace
+
+Format guideFormat(NormalEncoding encoding)
+{
+    switch (encoding)
+    {
+    case NormalEncoding::RGBA8_UNORM:
+        return Format::RGBA8_UNORM;
+    case NormalEncoding::RGBA8_SNORM:
+        return Format::RGBA8_SNORM;
+    case NormalEncoding::R10_G10_B10_A2_UNORM:
+        return Format::A2B10G10R10_UNORM_PACK32;
+    case NormalEncoding::RGBA16_UNORM:
+        return Format::RGBA16_UNORM;
+    case NormalEncoding::RGBA16_SNORM:
+        return Format::RGBA16_SNORM;
+    case NormalEncoding::MAX_NUM:
+        break;
+    }
+    return Format::MAX_NUM;
+}
+
+VariantOfFamily findVariant(Denoiser denoiser)
+{
+    for (const Family* family : kFamilies)
+    {
+        for (size_t i = 0; i < family->variants.size(); i++)
+        {
+            if (family->variants[i].key == denoiser) return {family, i};
+        }
+    }
+    return {};
+}
+
+Program expand(const VariantOfFamily& which, NormalEncoding encoding)
+{
+    Program program;
+    program.family = which.family;
+    program.variant = &which.family->variants[which.variant];
+    addTextures(program, encoding);
+    for (const PassRow& row : which.family->passes)
+    {
+        Pass pass;
+        pass.row = &row;
+        pass.shader = row.shaders.of(which.variant);
+        addSlots(program, row.reads, pass.reads);
+        addSlots(program, row.writes, pass.writes);
+        program.passes.push(pass);
+    }
+    return program;
+}
+
+Life lifeOf(const Program& program, size_t texture)
+{
+    Life life;
+    for (uint32_t i = 0; i < program.passes.size(); i++)
+    {
+        const Pass& pass = program.passes[i];
+        bool isBound = false;
+        for (const BoundSlot& slot : pass.reads) isBound = isBound || usesTexture(slot, texture);
+        for (const BoundSlot& slot : pass.writes) isBound = isBound || usesTexture(slot, texture);
+        if (!isBound) continue;
+        if (!life.isBound) life.first = i;
+        life.last = i;
+        life.isBound = true;
+    }
+    return life;
+}
+} // namespace nrd

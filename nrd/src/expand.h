@@ -1,0 +1,71 @@
+// Table x variant -> concrete textures and passes. Pure.
+#pragma once
+#include "pass_table.h"
+
+namespace nrd
+{
+struct Texture
+{
+    const TextureRow* row = nullptr;
+    uint8_t signal = 0; // index in Variant::signals, for textures that exist once per signal
+    Format format = Format::MAX_NUM;
+};
+
+// A user slot, or a texture of Program::textures.
+struct Binding
+{
+    ResourceType type = ResourceType::MAX_NUM; // MAX_NUM = texture
+    uint8_t texture = 0;
+    bool isPrevious = false;
+
+    bool isTexture() const { return type == ResourceType::MAX_NUM; }
+    bool operator==(const Binding&) const = default;
+};
+
+struct BoundSlot
+{
+    const Binding& pick(const Conditions& conditions) const
+    {
+        return !isUsed || isUsed(conditions) ? binding : otherwise;
+    }
+
+    Binding binding;
+    Binding otherwise;
+    Predicate isUsed = nullptr;
+};
+
+struct Pass
+{
+    const PassRow* row = nullptr;
+    Shader shader = Shader::Count;
+    FixedList<BoundSlot, 32> reads;
+    FixedList<BoundSlot, 20> writes;
+};
+
+struct Program
+{
+    const Family* family = nullptr;
+    const Variant* variant = nullptr;
+    FixedList<Texture, 32> textures;
+    FixedList<Pass, 20> passes;
+};
+
+struct VariantOfFamily
+{
+    const Family* family = nullptr; // null = the denoiser is not offered
+    size_t variant = 0;
+};
+
+VariantOfFamily findVariant(Denoiser denoiser);
+Program expand(const VariantOfFamily& which, NormalEncoding encoding);
+Format guideFormat(NormalEncoding encoding);
+
+// First and last pass in which the texture is bound, whatever the settings.
+struct Life
+{
+    uint32_t first = 0;
+    uint32_t last = 0;
+    bool isBound = false;
+};
+Life lifeOf(const Program& program, size_t texture);
+} // namespace nrd

@@ -1,0 +1,155 @@
+#include "frame_state.h"
+#include <algorithm>
+#include <iterator>
+
+namespace nrd
+{
+namespace
+{
+shared::mat4 toShared(const Double4x4& matrix)
+{
+    shared::mat4 result;
+    for (size_t i = 0; i < 16; i++) result.columns[i] = static_cast<float>(matrix.m[i]);
+    return result;
+}
+
+shared::vec4 toShared(const Double3& v, double w)
+{
+    return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z), static_cast<float>(w)};
+}
+
+shared::vec4 toShared(const double (&v)[4]) { return toShared({v[0], v[1], v[2]}, v[3]); }
+
+// The visible half space says which way z goes. A perspective projection has w = +-z; an orthographic one maps a
+// range of z to [0; 1], reversed or not, and the middle of that range lies in front of the camera.
+double findViewZSign(const Double4x4& viewToClip, bool isOrthographic)
+{
+    if (!isOrthographic) return viewToClip.at(3, 2) > 0.0 ? 1.0 : -1.0;
+    const double scale = viewToClip.at(2, 2);
+    const double middle = (0.5 * viewToClip.at(3, 3) - viewToClip.at(2, 3)) / scale;
+    return scale != 0.0 && middle < 0.0 ? -1.0 : 1.0;
+}
+
+// One camera of a frame: world to left-handed view without translation, and where it stands.
+struct Camera
+{
+    Projection projection;
+    Double4x4 rotation;
+    Double3 position;
+};
+
+Camera makeCamera(const float (&viewToClip)[16], const float (&worldToView)[16])
+{
+    Camera camera;
+    camera.projection = makeProjection(viewToClip);
+    camera.rotation = toDouble(worldToView);
+    const Double3 translation = camera.rotation.translation();
+    camera.position = -rotate(transposedRotation(camera.rotation), translation);
+    camera.rotation.setTranslation({});
+    for (size_t column = 0; column < 3; column++) camera.rotation.at(2, column) *= camera.projection.viewZSign;
+    return camera;
+}
+
+Double3 findCameraDelta(const CommonSettings& common, const Camera& current, const Camera& previous)
+{
+    if (!common.isCameraDeltaAvailable) return previous.position - current.position;
+    return {common.cameraDelta[0], common.cameraDelta[1], common.cameraDelta[2]};
+}
+
+// Motion on screen is a difference of what IN_VIEWZ stores; the shaders know its absolute value in units.
+shared::vec4 makeMotionVectorScale(const CommonSettings& common, double viewZSign)
+{
+    const float(&scale)[3] = common.motionVectorScale;
+    if (!common.isMotionVectorInWorldSpace)
+    {
+        return {scale[0], scale[1], static_cast<float>(viewZSign) * scale[2] * common.viewZScale, 0.0f};
+    }
+    // The default 0 would silently drop the third axis of a world-space vector.
+    return {scale[0], scale[1], scale[2] != 0.0f ? scale[2] : scale[0], 1.0f};
+}
+} // namespace
+
+Projection makeProjection(const float (&viewToClip)[16])
+{
+    Projection result;
+    Double4x4& m = result.viewToClip;
+    m = toDouble(viewToClip);
+    result.isOrthographic = m.at(3, 2) == 0.0;
+    result.viewZSign = findViewZSign(m, result.isOrthographic);
+    for (size_t row = 0; row < 4; row++) m.at(row, 2) *= result.viewZSign;
+
+    // ndc * w = scale * x + shift * (z or 1), so the slope at ndc is (ndc * w - shift) / scale.
+    const double w = result.isOrthographic ? m.at(3, 3) : m.at(3, 2);
+    const size_t column = result.isOrthographic ? 3 : 2;
+    const double left = (-w - m.at(0, column)) / m.at(0, 0), right = (w - m.at(0, column)) / m.at(0, 0);
+    const double top = (w - m.at(1, column)) / m.at(1, 1), bottom = (-w - m.at(1, column)) / m.at(1, 1);
+    const double frustum[4] = {left, top, right - left, bottom - top};
+    std::copy(std::begin(frustum), std::end(frustum), result.frustum);
+    result.yScale = m.at(1, 1) / w;
+    return result;
+}
+
+FrameState makeFrameState(const CommonSettings& common, float frameRateScale)
+{
+    const Camera current = makeCamera(common.viewToClipMatrix, common.worldToViewMatrix);
+    const Camera previous = makeCamera(common.viewToClipMatrixPrev, common.worldToViewMatrixPrev);
+    const Double3 delta = findCameraDelta(common, current, previous);
+
+    Double4x4 worldToViewPrev = previous.rotation;
+    worldToViewPrev.setTranslation(-rotate(previous.rotation, delta));
+    Double4x4 viewToWorldPrev = transposedRotation(previous.rotation);
+    viewToWorldPrev.setTranslation(delta);
+
+    FrameState state;
+    state.worldToClipAbsolute = toDouble(common.viewToClipMatrix) * toDouble(common.worldToViewMatrix);
+    state.worldToClip = toShared(current.projection.viewToClip * current.rotation);
+    state.worldToClipPrev = toShared(previous.projection.viewToClip * worldToViewPrev);
+    state.worldToViewPrev = toShared(worldToViewPrev);
+    state.viewToWorld = toShared(transposedRotation(current.rotation));
+    state.viewToWorldPrev = toShared(viewToWorldPrev);
+    state.frustum = toShared(current.projection.frustum);
+    state.frustumPrev = toShared(previous.projection.frustum);
+    state.cameraDelta = toShared(delta, current.projection.isOrthographic ? 1.0 : 0.0);
+    state.viewDirection = toShared(-current.rotation.row(2), 0.0);
+    state.motionVectorScale = makeMotionVectorScale(common, current.projection.viewZSign);
+
+    const float width = common.rectSize[0], height = common.rectSize[1];
+    state.unproject = static_cast<float>(2.0 / (common.rectSize[1] * current.projection.yScale));
+    state.minRectDim = std::min(width, height);
+    state.jitterDelta = std::max(std::abs(common.cameraJitter[0] - common.cameraJitterPrev[0]),
+                                 std::abs(common.cameraJitter[1] - common.cameraJitterPrev[1]));
+    state.resolutionScale = std::min(width / common.resourceSize[0], height / common.resourceSize[1]);
+    state.frameRateScale = frameRateScale;
+    return state;
+}
+
+CommonSettings withoutPreviousFrame(const CommonSettings& common)
+{
+    CommonSettings result = common;
+    std::copy(std::begin(common.rectSize), std::end(common.rectSize), result.rectSizePrev);
+    std::copy(std::begin(common.resourceSize), std::end(common.resourceSize), result.resourceSizePrev);
+    std::copy(std::begin(common.cameraJitter), std::end(common.cameraJitter), result.cameraJitterPrev);
+    return result;
+}
+
+FrameClock tick(const FrameClock& clock, uint32_t frameIndex, double time)
+{
+    if (!clock.isRunning) return {time, 0.0, frameIndex, true};
+    if (clock.frameIndex == frameIndex) return clock; // another view of the same frame
+    return {time, smoothFrameTime(clock.smoothed, time - clock.lastTime), frameIndex, true};
+}
+
+double smoothFrameTime(double smoothed, double measured)
+{
+    if (!(measured > 0.0)) return smoothed;
+    if (!(smoothed > 0.0)) return measured;
+    const double jump = std::abs(measured - smoothed) / std::min(measured, smoothed);
+    return smoothed + (measured - smoothed) * std::max(jump / (1.0 + jump), 1.0 / 32.0);
+}
+
+float frameRateScale(double frameTime)
+{
+    constexpr double kReferenceFrameTime = 1000.0 / 30.0; // ms
+    return frameTime > 0.0 ? static_cast<float>(std::max(kReferenceFrameTime / frameTime, 1.0)) : 1.0f;
+}
+} // namespace nrd

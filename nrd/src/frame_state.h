@@ -1,0 +1,58 @@
+// Common settings -> what the constants of every family are made of. Pure; computed in double precision, because the
+// previous camera relative to the current one is a small difference of large numbers.
+#pragma once
+#include "math.h"
+#include "shared_types.h"
+#include <nrd/settings.h>
+
+namespace nrd
+{
+// What a projection matrix says, for a left-handed view space (z forward).
+struct Projection
+{
+    Double4x4 viewToClip; // acts on left-handed view space
+    double frustum[4] =
+        {};              // Xv.xy = (frustum.xy + uv * frustum.zw) * z, without z if orthographic; uv (0; 0) = top left
+    double yScale = 1.0; // cot(fovY / 2), or 2 / height
+    double viewZSign = 1.0; // of IN_VIEWZ in front of the camera: -1 for right-handed view spaces
+    bool isOrthographic = false;
+};
+Projection makeProjection(const float (&viewToClip)[16]);
+
+struct FrameState
+{
+    Double4x4 worldToClipAbsolute; // of the world as given, to compare with the last one
+
+    shared::mat4 worldToClip; // the world of these has its origin at the current camera
+    shared::mat4 worldToClipPrev;
+    shared::mat4 worldToViewPrev;
+    shared::mat4 viewToWorld;
+    shared::mat4 viewToWorldPrev;
+    shared::vec4 frustum;
+    shared::vec4 frustumPrev;
+    shared::vec4 cameraDelta;       // .w 1 = orthographic
+    shared::vec4 viewDirection;     // surface to camera
+    shared::vec4 motionVectorScale; // .w 1 = world space
+    float unproject = 0.0f;         // world size of a pixel at z = 1, or at any z if orthographic
+    float minRectDim = 0.0f;        // pixels
+    float jitterDelta = 0.0f;       // pixels, largest axis
+    float resolutionScale = 0.0f;   // rect / resource, smallest axis
+    float frameRateScale = 1.0f;    // 33.3 ms / frame time, at least 1
+};
+FrameState makeFrameState(const CommonSettings& common, float frameRateScale);
+
+// On reset there is no previous frame to reproject: sizes and jitter become the current ones.
+CommonSettings withoutPreviousFrame(const CommonSettings& common);
+
+// Frame time from a monotonic clock, calm in steady state, quick after jumps.
+struct FrameClock
+{
+    double lastTime = 0.0; // ms
+    double smoothed = 0.0; // ms, 0 = nothing measured yet
+    uint32_t frameIndex = 0;
+    bool isRunning = false;
+};
+FrameClock tick(const FrameClock& clock, uint32_t frameIndex, double time);
+double smoothFrameTime(double smoothed, double measured); // ms; smoothed 0 = none yet
+float frameRateScale(double frameTime);                   // ms; 0 = unknown, gives 1
+} // namespace nrd

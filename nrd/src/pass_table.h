@@ -1,0 +1,241 @@
+// The language in which a denoiser is written down: textures, passes and variants as rows of constant tables.
+// A family (denoisers/*.cpp) has one table of each; expand() turns a variant into concrete passes.
+#pragma once
+#include "fixed_list.h"
+#include "nrd_shaders.h"
+#include <nrd/settings.h>
+#include <span>
+#include <type_traits>
+#include <variant>
+
+namespace nrd
+{
+// Row i describes key i: a swapped or forgotten row does not compile.
+template <class Rows> constexpr bool rowsMatchKeys(const Rows& rows)
+{
+    size_t i = 0;
+    for (const auto& row : rows)
+    {
+        if (static_cast<size_t>(row.key) != i++) return false;
+    }
+    return true;
+}
+
+enum Lobes : uint8_t
+{
+    kNoLobe = 0,
+    kDiffuse = 1,
+    kSpecular = 2,
+    kBoth = kDiffuse | kSpecular
+};
+
+// One alternative per family; the family's default is what a new denoiser starts with.
+using FamilySettings = std::variant<ReblurSettings, ReferenceSettings>;
+
+// What the conditions of a table may depend on.
+struct Conditions
+{
+    const CommonSettings& common;
+    const FamilySettings& settings;
+    NormalEncoding normalEncoding;
+    Lobes lobes;
+};
+using Predicate = bool (*)(const Conditions&);
+
+// A texture of the user pool, or of the family's texture table; the signals differ by variant.
+enum class Source : uint8_t
+{
+    User,
+    Table,
+    SignalInput,
+    SignalOutput
+};
+
+struct Place
+{
+    Source source = Source::User;
+    uint8_t index = 0;       // ResourceType or texture key
+    bool isPrevious = false; // of a ping-pong pair: what the last request wrote
+    bool isEach = false;     // one texture per signal of the variant
+};
+
+struct Slot
+{
+    constexpr Slot() = default;
+    constexpr Slot(ResourceType type) : place{Source::User, static_cast<uint8_t>(type)} {}
+    constexpr Slot(Place p) : place(p) {}
+    template <class Key>
+    requires std::is_enum_v<Key>
+    constexpr Slot(Key key) : place{Source::Table, static_cast<uint8_t>(key)} {}
+
+    Place place;
+    Place otherwise;            // bound when isUsed says no
+    Predicate isUsed = nullptr; // null = always
+    Lobes lobes = kNoLobe;      // lobes of which the variant must have one, kNoLobe = any variant
+};
+
+// The four words of the pass tables, besides plain keys and resource types.
+template <class Key> constexpr Place prev(Key key) { return {Source::Table, static_cast<uint8_t>(key), true, false}; }
+template <class Key> constexpr Place each(Key key) { return {Source::Table, static_cast<uint8_t>(key), false, true}; }
+constexpr Place kEachInput = {Source::SignalInput, 0, false, true};
+constexpr Place kEachOutput = {Source::SignalOutput, 0, false, true};
+
+constexpr Slot only(Lobes lobes, Slot slot)
+{
+    slot.lobes = lobes;
+    return slot;
+}
+constexpr Slot choose(Predicate condition, Slot slot, Place otherwise)
+{
+    slot.isUsed = condition;
+    slot.otherwise = otherwise;
+    return slot;
+}
+// Nothing is partially bound: an input that is not there is replaced by one that always is.
+constexpr Slot optional(Predicate condition, Slot slot)
+{
+    return choose(condition, slot, Place{Source::User, static_cast<uint8_t>(ResourceType::IN_VIEWZ)});
+}
+
+enum class FormatRule : uint8_t
+{
+    Fixed,     // first
+    PerLobes,  // one scalar per lobe in one texture: first for one lobe, second for two
+    PerSignal, // one texture per signal of the variant, in the signal's format
+    Guide      // as IN_NORMAL_ROUGHNESS
+};
+
+struct TextureFormat
+{
+    FormatRule rule = FormatRule::Fixed;
+    Format first = Format::MAX_NUM;
+    Format second = Format::MAX_NUM;
+};
+constexpr TextureFormat fixed(Format format) { return {FormatRule::Fixed, format, format}; }
+constexpr TextureFormat perLobes(Format one, Format two) { return {FormatRule::PerLobes, one, two}; }
+constexpr TextureFormat kPerSignal = {FormatRule::PerSignal, Format::MAX_NUM, Format::MAX_NUM};
+constexpr TextureFormat kGuide = {FormatRule::Guide, Format::MAX_NUM, Format::MAX_NUM};
+
+enum class Lifetime : uint8_t
+{
+    Transient, // from its first pass to its last within a request
+    Permanent, // history
+    PingPong   // history, a pair that changes places with every request
+};
+
+struct TextureRow
+{
+    uint8_t key;
+    const char* name; // as in the shaders' bindings
+    TextureFormat format;
+    Lifetime lifetime;
+    uint8_t downsampleFactor = 1;
+    Lobes lobes = kNoLobe; // lobes of which the variant must have one, kNoLobe = any variant
+};
+
+// One noisy input and its denoised output. A variant has one per lobe, with spherical harmonics two.
+struct SignalRow
+{
+    ResourceType input = ResourceType::MAX_NUM;
+    ResourceType output = ResourceType::MAX_NUM;
+    Format format = Format::MAX_NUM; // inside the denoiser
+    Lobes lobe = kNoLobe;
+};
+
+struct Variant
+{
+    Denoiser key;
+    Lobes lobes;
+    FixedList<SignalRow, 4> signals;
+};
+
+constexpr size_t kVariantMaxNum = 10;
+
+// The shader of a pass for each variant, in the order of the family's variants; a single one serves all of them.
+struct ShaderSet
+{
+    constexpr ShaderSet() = default;
+    constexpr ShaderSet(Shader one) : shaders{one} {}
+    constexpr ShaderSet(std::initializer_list<Shader> all) : shaders(all) {}
+    constexpr Shader of(size_t variant) const { return shaders[shaders.size() == 1 ? 0 : variant]; }
+
+    FixedList<Shader, kVariantMaxNum> shaders;
+};
+
+struct SwitchRow
+{
+    uint32_t constantId = 0; // SPEC_..., a bool in the shader
+    Predicate isOn = nullptr;
+};
+
+struct GroupSize
+{
+    uint8_t x, y; // texels of the grid that one group covers
+};
+
+struct PassRow
+{
+    const char* name;
+    ShaderSet shaders;
+    FixedList<Slot, 20> reads;  // binding order
+    FixedList<Slot, 12> writes; // bindings go on
+    GroupSize group;
+    Predicate runsIf;
+    FixedList<SwitchRow, 5> switches = {}; // each doubles the number of pipelines
+    uint8_t gridFactor = 1;                // the grid covers ceil(rect / gridFactor)
+};
+
+struct FrameState;
+
+// What a denoiser remembers of its last request. Changed only by Family::advance and the instance.
+struct RequestHistory
+{
+    uint32_t requestNum = 0;     // parity of the ping-pong pairs
+    bool isCleared = false;      // its textures have been written at least once
+    bool isValid = false;        // its last request left history behind
+    bool isStabilized = false;   // ... including the stabilised one
+    float splitScreen = 0.0f;    // of the last request
+    uint32_t meanFrameNum = 0;   // frames in REFERENCE's mean, less one
+    uint16_t rectSize[2] = {};   // of the last request
+    double worldToClip[16] = {}; // of the last request
+};
+
+struct Request
+{
+    const CommonSettings& common; // on reset the previous values are the current ones
+    const FamilySettings& settings;
+    const FrameState& frame;
+    const RequestHistory& history; // of the last request
+    Lobes lobes;
+    bool isReset;
+};
+
+constexpr size_t kConstantMaxByteSize = 1024;
+constexpr size_t kConstantAlignment = 16;
+
+// Passes of a family are shared by its variants; nothing below knows a denoiser by name.
+struct Family
+{
+    FamilySettings defaults;
+    std::span<const Variant> variants;
+    std::span<const TextureRow> textures;
+    std::span<const PassRow> passes;
+    uint32_t constantByteSize;
+    bool areOutputsCleared; // false where the output may be the same image as the input
+    void (*fillConstants)(const Request& request, void* block); // block is zeroed
+    RequestHistory (*advance)(const Request& request);          // the history after this request
+};
+
+constexpr bool hasLobe(Lobes present, Lobes needed) { return needed == kNoLobe || (present & needed) != 0; }
+
+// Every pass has one shader for all variants or exactly one for each.
+constexpr bool shadersMatchVariants(std::span<const PassRow> passes, size_t variantNum)
+{
+    for (const PassRow& pass : passes)
+    {
+        const size_t num = pass.shaders.shaders.size();
+        if (num != 1 && num != variantNum) return false;
+    }
+    return true;
+}
+} // namespace nrd

@@ -1,0 +1,116 @@
+// Which user-pool slots a denoiser needs, and in which format: derived from its passes.
+#include "instance.h"
+
+namespace nrd
+{
+namespace
+{
+// The smallest format that keeps what the slot carries.
+Format minFormat(ResourceType type, const CommonSettings& common, NormalEncoding encoding)
+{
+    const bool hasMotionZ = common.isMotionVectorInWorldSpace || common.motionVectorScale[2] != 0.0f;
+    switch (type)
+    {
+    case ResourceType::IN_MV:
+        return hasMotionZ ? Format::RGBA16_SFLOAT : Format::RG16_SFLOAT;
+    case ResourceType::IN_NORMAL_ROUGHNESS:
+        return guideFormat(encoding);
+    case ResourceType::IN_VIEWZ:
+    case ResourceType::IN_PENUMBRA:
+        return Format::R16_SFLOAT;
+    case ResourceType::IN_DIFF_CONFIDENCE:
+    case ResourceType::IN_SPEC_CONFIDENCE:
+    case ResourceType::IN_DISOCCLUSION_THRESHOLD_MIX:
+    case ResourceType::IN_DIFF_HITDIST:
+    case ResourceType::IN_SPEC_HITDIST:
+    case ResourceType::OUT_DIFF_HITDIST:
+    case ResourceType::OUT_SPEC_HITDIST:
+        return Format::R8_UNORM;
+    case ResourceType::IN_DIFF_DIRECTION_HITDIST:
+    case ResourceType::OUT_DIFF_DIRECTION_HITDIST:
+        return Format::RGBA8_SNORM;
+    case ResourceType::IN_TRANSLUCENCY:
+    case ResourceType::OUT_VALIDATION:
+        return Format::RGBA8_UNORM;
+    case ResourceType::OUT_SHADOW_TRANSLUCENCY:
+        return Format::R8_UNORM;
+    case ResourceType::IN_SIGNAL:
+    case ResourceType::OUT_SIGNAL:
+        return Format::R8_UNORM;
+    case ResourceType::IN_DIFF_RADIANCE_HITDIST:
+    case ResourceType::IN_SPEC_RADIANCE_HITDIST:
+    case ResourceType::IN_DIFF_SH0:
+    case ResourceType::IN_DIFF_SH1:
+    case ResourceType::IN_SPEC_SH0:
+    case ResourceType::IN_SPEC_SH1:
+    case ResourceType::OUT_DIFF_RADIANCE_HITDIST:
+    case ResourceType::OUT_SPEC_RADIANCE_HITDIST:
+    case ResourceType::OUT_DIFF_SH0:
+    case ResourceType::OUT_DIFF_SH1:
+    case ResourceType::OUT_SPEC_SH0:
+    case ResourceType::OUT_SPEC_SH1:
+        return Format::RGBA16_SFLOAT;
+    case ResourceType::TRANSIENT_POOL:
+    case ResourceType::PERMANENT_POOL:
+    case ResourceType::MAX_NUM:
+        break;
+    }
+    return Format::MAX_NUM;
+}
+
+struct Need
+{
+    bool isBound = false;    // in some pass under some settings
+    bool isRequired = false; // under the present ones
+};
+
+template <class Slots>
+Need findNeed(const Slots& slots, ResourceType type, bool isRunning, const Conditions& conditions)
+{
+    Need need;
+    for (const BoundSlot& slot : slots)
+    {
+        need.isBound = need.isBound || slot.binding.type == type || (slot.isUsed && slot.otherwise.type == type);
+        need.isRequired = need.isRequired || (isRunning && slot.pick(conditions).type == type);
+    }
+    return need;
+}
+} // namespace
+
+Result Instance::getRequiredResources(Identifier identifier, const ResourceRequirement*& requirements,
+                                      uint32_t& num) const
+{
+    requirements = nullptr;
+    num = 0;
+    const CompiledDenoiser* denoiser = nullptr;
+    for (const CompiledDenoiser& candidate : m_compiled.denoisers)
+    {
+        if (candidate.identifier == identifier) denoiser = &candidate;
+    }
+    if (!denoiser) return fail(unknownIdentifier(identifier));
+
+    const Program& program = denoiser->program;
+    const Conditions conditions = {m_common, denoiser->settings, m_desc.normalEncoding, program.variant->lobes};
+    m_requirements.clear();
+    for (uint32_t i = 0; i < static_cast<uint32_t>(ResourceType::TRANSIENT_POOL); i++) // inputs come before outputs
+    {
+        const ResourceType type = static_cast<ResourceType>(i);
+        Need input, output;
+        for (const Pass& pass : program.passes)
+        {
+            const bool isRunning = pass.row->runsIf(conditions);
+            const Need read = findNeed(pass.reads, type, isRunning, conditions);
+            const Need written = findNeed(pass.writes, type, isRunning, conditions);
+            input = {input.isBound || read.isBound, input.isRequired || read.isRequired};
+            output = {output.isBound || written.isBound, output.isRequired || written.isRequired};
+        }
+        if (!input.isBound && !output.isBound) continue;
+        const DescriptorType descriptor = output.isBound ? DescriptorType::STORAGE_TEXTURE : DescriptorType::TEXTURE;
+        m_requirements.push({type, descriptor, input.isRequired || output.isRequired,
+                             minFormat(type, m_common, m_desc.normalEncoding)});
+    }
+    requirements = m_requirements.begin();
+    num = static_cast<uint32_t>(m_requirements.size());
+    return Result::SUCCESS;
+}
+} // namespace nrd
