@@ -1,0 +1,43 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "functions.h"
+#include "interface.glsl"
+#include "nrd_frontend.glsl"
+
+Results evaluate(Arguments v)
+{
+    Results r = Results(vec4(0.0), vec4(0.0));
+    switch (kFunction)
+    {
+    case FN_PACK_NORMAL:
+        r.first = NRD_PackNormalAndRoughness(v.a.xyz, v.a.w, v.b.x, int(v.b.y), int(v.b.z));
+        r.second = NRD_FrontEnd_PackNormalAndRoughness(v.a.xyz, v.a.w, v.b.x);
+        break;
+    case FN_UNPACK_NORMAL: r.first = NRD_UnpackNormalAndRoughness(v.a, int(v.b.y), int(v.b.z), r.second.x); break;
+    case FN_YCOCG: r.first.xyz = NRD_LinearToYCoCg(v.a.xyz); break;
+    case FN_FROM_YCOCG: r.first.xyz = NRD_YCoCgToLinear(v.a.xyz); break;
+    case FN_LOBE_SPREAD: r.first.x = NRD_GetLobeSpread(v.a.x, v.a.y); break;
+    case FN_NORM_HIT_DIST: r.first.x = REBLUR_FrontEnd_GetNormHitDist(v.a.x, v.a.y, v.b.xyz, v.a.z); break;
+    case FN_HIT_DIST: r.first.x = REBLUR_GetHitDist(v.a.x, v.a.y, v.b.xyz, v.a.z); break;
+    case FN_PACK_RADIANCE: r.first = REBLUR_FrontEnd_PackRadianceAndNormHitDist(v.a.xyz, v.a.w, v.b.x != 0.0); break;
+    case FN_UNPACK_RADIANCE: r.first = REBLUR_BackEnd_UnpackRadianceAndNormHitDist(v.a); break;
+    case FN_ENVIRONMENT_TERM: r.first.xyz = NRD_EnvironmentTerm(v.a.xyz, v.a.w, v.b.x); break;
+    case FN_MATERIAL_FACTORS:
+        NRD_MaterialFactors(vec3(0.0, 0.0, 1.0), vec3(sqrt(1.0 - v.b.w * v.b.w), 0.0, v.b.w), v.a.xyz, v.b.xyz, v.a.w,
+                            r.first.xyz, r.second.xyz);
+        break;
+    case FN_AVERAGING:
+        r.first.x = NRD_FrontEnd_SpecHitDistAveraging_Begin();
+        for (int i = 0; i < 4; i++) NRD_FrontEnd_SpecHitDistAveraging_Add(r.first.x, v.a[i]);
+        NRD_FrontEnd_SpecHitDistAveraging_End(r.first.x);
+        r.first.y = NRD_FrontEnd_TrimHitDistance(v.a.x, 0.5);
+        break;
+    }
+    return r;
+}
+
+void main()
+{
+    uint i = gl_GlobalInvocationID.x;
+    if (i < uint(gArguments.length())) gResults[i] = evaluate(gArguments[i]);
+}

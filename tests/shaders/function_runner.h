@@ -1,0 +1,24 @@
+// Runs one GLSL function over many arguments on the device.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace nrdtest
+{
+using Vec4 = std::array<float, 4>;
+
+struct Arguments
+{
+    Vec4 a{}, b{}, c{}, d{};
+};
+
+struct Results
+{
+    Vec4 first{}, second{};
+};
+
+// function: a number of functions.h. Any validation message of the device fails the running test case.
+std::vector<Results> runFunction(int function, const std::vector<Arguments>& arguments);
+Results runFunction(int function, const Arguments& arguments);
+} // namespace nrdtest

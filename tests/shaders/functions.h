@@ -1,0 +1,33 @@
+// The functions under test, by number: one list for the shaders and for C++.
+#ifndef FUNCTIONS_H
+#define FUNCTIONS_H
+
+#define FN_PACK_NORMAL 0       // a = normal, roughness; b.x material, b.y normal encoding, b.z roughness encoding
+#define FN_UNPACK_NORMAL 1     // a = packed; b as above; second result .x = material
+#define FN_YCOCG 2             // a.xyz
+#define FN_FROM_YCOCG 3        // a.xyz
+#define FN_LOBE_SPREAD 4       // a.x roughness, a.y power
+#define FN_NORM_HIT_DIST 5     // a = hitDist, viewZ, roughness; b.xyz = A, B, C
+#define FN_HIT_DIST 6          // a = normHitDist, viewZ, roughness; b.xyz = A, B, C
+#define FN_PACK_RADIANCE 7     // a = radiance, normHitDist; b.x sanitize
+#define FN_UNPACK_RADIANCE 8   // a
+#define FN_ENVIRONMENT_TERM 9  // a.xyz F0, a.w NoV, b.x roughness
+#define FN_MATERIAL_FACTORS 10 // a.xyz albedo, a.w roughness, b.xyz F0, b.w NoV
+#define FN_AVERAGING 11        // a = four specular hit distances
+
+#define FN_FALLOFFS 20           // a.x -> soft, heavy, smooth01, acosApprox
+#define FN_RAMP 21               // a.xyz
+#define FN_DOMINANT_FACTOR 22    // a.x NoV, a.y roughness
+#define FN_DOMINANT_DIRECTION 23 // a.xyz N, a.w roughness, b.xyz V
+#define FN_LOBE_TANGENT 24       // a.x roughness, a.y share
+#define FN_MIRROR_UV 25          // a.xy
+#define FN_VIRTUAL_POSITION 26   // a.xyz X, a.w hitDist, b.xyz N, b.w curvature, c.xyz Xprev, c.w roughness
+#define FN_CURVATURE 27          // a.xyz X, b.xyz N, c.xyz other X, d.xyz other N
+#define FN_RECONSTRUCT 28        // a.xy uv, a.z viewZ, a.w ortho, b frustum
+#define FN_FOOTPRINT 29          // a.xy position -> bilinear weights; second result .xy origin
+#define FN_CATMULL_ROM 30        // a.xy position -> position the filter's weights average to; second .x weight sum
+#define FN_TANGENT_BASIS 31      // a.xyz -> T; second result B
+#define FN_PROJECT 32            // a.xyz position, b..: rows x, y, w of the matrix in b, c, d
+#define FN_CUSTOM_BILINEAR 33    // a values, b weights
+
+#endif

@@ -1,0 +1,210 @@
+// The front end and back end that applications include, against C++ and the published vectors.
+#include "catch.h"
+#include "function_runner.h"
+#include "functions.h"
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <random>
+
+using namespace nrdtest;
+
+namespace
+{
+using Vec3d = std::array<double, 3>;
+
+double lobeSpread(double r, double p) { return r > 0.0 ? (1.0 - std::exp2(-200.0 * r * r)) * std::pow(r, p) : 0.0; }
+
+Vec3d normalized(Vec3d v)
+{
+    const double len = std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+    return {v[0] / len, v[1] / len, v[2] / len};
+}
+
+Vec3d randomDirection(std::mt19937& rng)
+{
+    std::normal_distribution<double> normal;
+    return normalized({normal(rng), normal(rng), normal(rng)});
+}
+
+// Rounds as storing in a texture of this encoding does.
+float quantize(float value, float steps, bool isSigned)
+{
+    const float low = isSigned ? -1.0f : 0.0f;
+    return std::round(std::clamp(value, low, 1.0f) * steps) / steps;
+}
+
+struct Encoding
+{
+    int number;
+    float steps;
+    bool isSigned;
+    double maxAngle; // radians, of a round trip
+};
+
+constexpr Encoding kEncodings[] = {
+    {0, 255.0f, false, 1.5 / 255},   {1, 127.0f, true, 1.5 / 255},   {2, 1023.0f, false, 0.75 / 255},
+    {3, 65535.0f, false, 0.4 / 255}, {4, 32767.0f, true, 0.4 / 255},
+};
+
+float floatFromBits(uint32_t bits)
+{
+    float value;
+    std::memcpy(&value, &bits, sizeof value);
+    return value;
+}
+} // namespace
+
+TEST_CASE("the 10-bit encoding gives the published texels", "[gpu]")
+{
+    struct Row
+    {
+        Vec4 normalRoughness;
+        std::array<int, 3> texel;
+    };
+    const Row rows[] = {{{0, 0, 1, 0.5f}, {512, 512, 767}},
+                        {{0, 0, -1, 0.5f}, {512, 512, 256}},
+                        {{1, 0, 0, 0}, {1023, 0, 513}},
+                        {{0.6f, 0, 0.8f, 0.25f}, {731, 292, 639}},
+                        {{-0.48f, 0.6f, -0.64f, 1}, {547, 833, 0}}};
+    for (const Row& row : rows)
+    {
+        const Results r = runFunction(FN_PACK_NORMAL, {row.normalRoughness, {3, 2, 1, 0}});
+        for (int i = 0; i < 3; i++) CHECK(std::abs(r.first[i] * 1023.0f - static_cast<float>(row.texel[i])) <= 0.51f);
+        CHECK(r.first[3] == 1.0f);  // material 3
+        CHECK(r.first == r.second); // the wrapper uses the default encodings
+    }
+}
+
+TEST_CASE("every normal encoding returns direction, roughness and material within its quantisation", "[gpu]")
+{
+    std::mt19937 rng(1);
+    std::uniform_real_distribution<float> unit(0.0f, 1.0f);
+    for (const Encoding& encoding : kEncodings)
+    {
+        std::vector<Arguments> in;
+        for (int i = 0; i < 2000; i++)
+        {
+            const Vec3d n = randomDirection(rng);
+            in.push_back(
+                {{static_cast<float>(n[0]), static_cast<float>(n[1]), static_cast<float>(n[2]), unit(rng)},
+                 {static_cast<float>(i % 4), static_cast<float>(encoding.number), static_cast<float>(i % 3), 0}});
+        }
+        std::vector<Arguments> stored = in;
+        const std::vector<Results> packed = runFunction(FN_PACK_NORMAL, in);
+        for (size_t i = 0; i < in.size(); i++)
+        {
+            for (int c = 0; c < 4; c++)
+                stored[i].a[c] = quantize(packed[i].first[c], c == 3 && encoding.number == 2 ? 3.0f : encoding.steps,
+                                          encoding.isSigned);
+        }
+        const std::vector<Results> unpacked = runFunction(FN_UNPACK_NORMAL, stored);
+        double worstAngle = 0.0, worstRoughness = 0.0;
+        for (size_t i = 0; i < in.size(); i++)
+        {
+            double dot = 0.0, len = 0.0;
+            for (int c = 0; c < 3; c++)
+            {
+                dot += double(in[i].a[c]) * unpacked[i].first[c];
+                len += double(unpacked[i].first[c]) * unpacked[i].first[c];
+            }
+            CHECK(std::abs(len - 1.0) < 1e-5);
+            worstAngle = std::max(worstAngle, std::acos(std::min(dot / std::sqrt(len), 1.0)));
+            // Compared in the stored domain, where quantisation is uniform.
+            const auto stretch = [&](double r) { return i % 3 == 0 ? r * r : i % 3 == 2 ? std::sqrt(r) : r; };
+            worstRoughness = std::max(worstRoughness, std::abs(stretch(in[i].a[3]) - stretch(unpacked[i].first[3])));
+            if (encoding.number == 2) CHECK(unpacked[i].second[0] == in[i].b[0]);
+        }
+        INFO("encoding " << encoding.number << ": " << worstAngle << " rad, roughness " << worstRoughness);
+        CHECK(worstAngle < encoding.maxAngle);
+        CHECK(worstRoughness <= (encoding.number == 2 ? 1.5 / 512 : 0.51 / static_cast<double>(encoding.steps)) + 1e-5);
+    }
+}
+
+TEST_CASE("YCoCg is invertible and never negative", "[gpu]")
+{
+    std::mt19937 rng(2);
+    std::uniform_real_distribution<float> value(0.0f, 250.0f);
+    for (int i = 0; i < 20; i++)
+    {
+        const Vec4 rgb = {value(rng), value(rng), value(rng), 0.0f};
+        const Results forth = runFunction(FN_YCOCG, {rgb});
+        CHECK(forth.first[0] == Approx(0.25 * rgb[0] + 0.5 * rgb[1] + 0.25 * rgb[2]).epsilon(1e-5));
+        const Results back = runFunction(FN_FROM_YCOCG, {forth.first});
+        for (int c = 0; c < 3; c++) CHECK(back.first[c] == Approx(rgb[c]).margin(1e-3));
+    }
+    const Results negative = runFunction(FN_FROM_YCOCG, {Vec4{0.1f, 5.0f, -3.0f, 0.0f}});
+    for (int c = 0; c < 3; c++) CHECK(negative.first[c] >= 0.0f);
+}
+
+TEST_CASE("lobe spread and hit-distance normalisation match the published values", "[gpu]")
+{
+    const float spreads[][3] = {
+        {0, 0.5f, 0}, {0.05f, 0.5f, 0.065493f},  {0.1f, 0.5f, 0.237171f},  {0.25f, 0.5f, 0.499914f},
+        {1, 0.5f, 1}, {0.05f, 0.25f, 0.138501f}, {0.1f, 0.25f, 0.421756f}, {0.5f, 0.25f, 0.840896f}};
+    for (const auto& row : spreads)
+    {
+        const Results r = runFunction(FN_LOBE_SPREAD, {Vec4{row[0], row[1], 0, 0}});
+        CHECK(r.first[0] == Approx(row[2]).margin(2e-6));
+        CHECK(r.first[0] == Approx(lobeSpread(row[0], row[1])).margin(2e-6));
+    }
+    const float lengths[][3] = {{10, 1, 4}, {10, 0, 80}, {10, 0.3f, 38.37324f}, {-100, 0.1f, 201.41881f}};
+    for (const auto& row : lengths)
+    {
+        const Results forth = runFunction(FN_NORM_HIT_DIST, {Vec4{2, row[0], row[1], 0}, Vec4{3, 0.1f, 20, 0}});
+        CHECK(forth.first[0] == Approx(2.0 / row[2]).epsilon(1e-5));
+        const Results back = runFunction(FN_HIT_DIST, {Vec4{forth.first[0], row[0], row[1], 0}, Vec4{3, 0.1f, 20, 0}});
+        CHECK(back.first[0] == Approx(2.0).epsilon(1e-5));
+    }
+}
+
+TEST_CASE("packing radiance turns what is not finite into no sample", "[gpu]")
+{
+    const float nan = std::numeric_limits<float>::quiet_NaN(), inf = std::numeric_limits<float>::infinity();
+    for (const float bad : {nan, -nan, inf, -inf, floatFromBits(0x7F800001u)})
+    {
+        for (int c = 0; c < 4; c++)
+        {
+            Vec4 in = {1, 2, 3, 0.5f};
+            in[c] = bad;
+            const Results r = runFunction(FN_PACK_RADIANCE, {in, Vec4{1, 0, 0, 0}});
+            CHECK(r.first == Vec4{0, 0, 0, 0});
+        }
+    }
+    const Results large = runFunction(FN_PACK_RADIANCE, {Vec4{1e9f, 1e9f, 1e9f, 7}, Vec4{1, 0, 0, 0}});
+    CHECK(large.first[0] == 65504.0f);
+    CHECK(large.first[3] == 1.0f);
+    const Results packed = runFunction(FN_PACK_RADIANCE, {Vec4{0.25f, 4, 9, 0.75f}, Vec4{0, 0, 0, 0}});
+    const Results unpacked = runFunction(FN_UNPACK_RADIANCE, {packed.first});
+    const Vec4 expected = {0.25f, 4, 9, 0.75f};
+    for (int c = 0; c < 4; c++) CHECK(unpacked.first[c] == Approx(expected[c]).epsilon(1e-5));
+}
+
+TEST_CASE("the environment term and the material factors match the published values", "[gpu]")
+{
+    const float rows[][4] = {{0.04f, 1, 0.5f, 0.03427f},
+                             {0.04f, 0.2f, 0.5f, 0.13074f},
+                             {0.9f, 0.7f, 0.1f, 0.92616f},
+                             {1, 0.5f, 1, 0.39652f}};
+    for (const auto& row : rows)
+    {
+        const Results r =
+            runFunction(FN_ENVIRONMENT_TERM, {Vec4{row[0], row[0], row[0], row[1]}, Vec4{row[2], 0, 0, 0}});
+        CHECK(r.first[0] == Approx(row[3]).margin(1e-5));
+    }
+    const Results a = runFunction(FN_MATERIAL_FACTORS, {Vec4{0.5f, 0.5f, 0.5f, 0.5f}, Vec4{0.04f, 0.04f, 0.04f, 1}});
+    CHECK(a.first[0] == Approx(0.49321).margin(1e-5));
+    CHECK(a.second[0] == Approx(0.03847).margin(1e-5));
+    const Results b = runFunction(FN_MATERIAL_FACTORS, {Vec4{0, 0, 0, 0.1f}, Vec4{0.9f, 0.9f, 0.9f, 0.7f}});
+    CHECK(b.first[0] == Approx(0.02).margin(1e-5));
+    CHECK(b.second[0] == Approx(0.19245).margin(1e-5));
+}
+
+TEST_CASE("specular hit distances average to the nearest non-zero one", "[gpu]")
+{
+    CHECK(runFunction(FN_AVERAGING, {Vec4{0, 3, 2, 5}}).first[0] == 2.0f);
+    CHECK(runFunction(FN_AVERAGING, {Vec4{0, 0, 0, 0}}).first[0] == 0.0f);
+    CHECK(runFunction(FN_AVERAGING, {Vec4{0.4f, 0, 0, 0}}).first[1] == 0.0f);
+    CHECK(runFunction(FN_AVERAGING, {Vec4{0.6f, 0, 0, 0}}).first[1] == 0.6f);
+}
