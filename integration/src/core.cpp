@@ -1,0 +1,253 @@
+#include "core.h"
+#include "convert.h"
+#include "user_pool.h"
+#include <algorithm>
+#include <cstdio>
+#include <cstring>
+#include <rhi/vulkan.h>
+
+namespace nrd
+{
+namespace
+{
+constexpr uint32_t kMaxFramesInFlight = 16;
+constexpr uint32_t kMaxDenoiseCalls = 1024;
+// Frames that an image may stay unused before its views go: enough for applications that rotate their images.
+constexpr uint64_t kIdleFrames = 8;
+constexpr size_t kWrappedCommandBuffers = 16;
+
+void checkSize(uint32_t width, uint32_t height)
+{
+    if (width == 0) throw Refusal(Result::INVALID_ARGUMENT, "resourceWidth is 0, must be at least 1");
+    if (height == 0) throw Refusal(Result::INVALID_ARGUMENT, "resourceHeight is 0, must be at least 1");
+}
+
+const IntegrationCreationDesc& checked(const IntegrationCreationDesc& desc)
+{
+    checkSize(desc.resourceWidth, desc.resourceHeight);
+    if (desc.framesInFlight == 0 || desc.framesInFlight > kMaxFramesInFlight)
+        throw Refusal(Result::INVALID_ARGUMENT,
+                      sentence("framesInFlight is %u, must be in [1; %u]", desc.framesInFlight, kMaxFramesInFlight));
+    if (desc.maxDenoiseCallsPerFrame == 0 || desc.maxDenoiseCallsPerFrame > kMaxDenoiseCalls)
+        throw Refusal(Result::INVALID_ARGUMENT, sentence("maxDenoiseCallsPerFrame is %u, must be in [1; %u]",
+                                                         desc.maxDenoiseCallsPerFrame, kMaxDenoiseCalls));
+    if (desc.layoutPolicy >= LayoutPolicy::MAX_NUM)
+        throw Refusal(Result::INVALID_ARGUMENT,
+                      sentence("layoutPolicy is %u, which is no LayoutPolicy", unsigned(desc.layoutPolicy)));
+    return desc;
+}
+
+// The library's message of a failed creation: there is no instance to ask then.
+struct MessageCapture
+{
+    char text[512] = "the descriptor library could not create its instance";
+
+    static void report(void* userArg, Result, const char* text)
+    {
+        MessageCapture& self = *static_cast<MessageCapture*>(userArg);
+        std::snprintf(self.text, sizeof(self.text), "%s", text);
+    }
+};
+
+uint32_t maxResourceCount(const InstanceDesc& instance)
+{
+    uint32_t result = 0;
+    for (uint32_t i = 0; i < instance.pipelinesNum; i++)
+    {
+        const PipelineDesc& pipeline = instance.pipelines[i];
+        result = std::max(result, pipeline.texturesNum + pipeline.storageTexturesNum + pipeline.storageBuffersNum);
+    }
+    return result;
+}
+
+// A camera at the origin, so that the library emits what default settings need.
+CommonSettings typicalSettings(uint32_t width, uint32_t height)
+{
+    CommonSettings result;
+    for (float* matrix : {result.worldToViewMatrix, result.worldToViewMatrixPrev})
+        for (int i = 0; i < 4; i++) matrix[i * 5] = 1.0f;
+    for (float* matrix : {result.viewToClipMatrix, result.viewToClipMatrixPrev})
+    {
+        matrix[0] = matrix[5] = matrix[11] = 1.0f; // x, y slopes of 45 degrees, w = z
+        matrix[14] = 0.1f;                         // reversed infinite depth
+    }
+    const uint16_t size[2] = {static_cast<uint16_t>(width), static_cast<uint16_t>(height)};
+    for (uint16_t* field : {result.resourceSize, result.resourceSizePrev, result.rectSize, result.rectSizePrev})
+        std::copy_n(size, 2, field);
+    return result;
+}
+} // namespace
+
+Core::Core(rhi::Device& device, const IntegrationCreationDesc& desc, const InstanceCreationDesc& instanceDesc)
+    : m_device(device), m_name(desc.name ? desc.name : "NRD"), m_desc(checked(desc)), m_instanceDesc(instanceDesc),
+      m_instance(createInstance()), m_pipelines(device, m_name.c_str(), description().pipelinesNum), m_views(device)
+{
+    m_desc.name = m_name.c_str();
+    m_desc.native = {};
+    m_instanceDesc.denoisers = nullptr; // the caller's; m_denoisers has the copy
+    m_pools = createPools(*m_instance, desc.resourceWidth, desc.resourceHeight);
+    createFrameResources();
+    if (desc.createDefaultPipelines) createDefaultPipelines();
+}
+
+UniqueInstance Core::createInstance()
+{
+    if (m_denoisers.empty() && m_instanceDesc.denoisers)
+        for (uint32_t i = 0; i < m_instanceDesc.denoisersNum; i++)
+            m_denoisers.push_back({m_instanceDesc.denoisers[i], {}});
+    std::vector<DenoiserDesc> denoisers;
+    for (const DenoiserState& denoiser : m_denoisers) denoisers.push_back(denoiser.desc);
+
+    MessageCapture capture;
+    InstanceCreationDesc desc = m_instanceDesc;
+    if (desc.denoisers || !denoisers.empty()) desc.denoisers = denoisers.data();
+    desc.messageSink = {MessageCapture::report, &capture};
+    Instance* instance = nullptr;
+    const Result result = CreateInstance(desc, instance);
+    if (result != Result::SUCCESS) throw Refusal(result, capture.text);
+    return UniqueInstance(instance);
+}
+
+void Core::createFrameResources()
+{
+    const InstanceDesc& instance = description();
+    const DescriptorPoolDesc& totals = instance.descriptorPoolDesc;
+    const uint32_t calls = m_desc.maxDenoiseCallsPerFrame;
+    ConstantRingDesc ring;
+    ring.name = m_desc.name;
+    ring.maxDataSize = instance.constantBufferMaxDataSize;
+    ring.blocksPerFrame = totals.setsMaxNum * calls;
+    ring.framesInFlight = m_desc.framesInFlight;
+    ring.set = instance.constantsAndSamplersSet;
+    ring.binding = instance.constantBufferBinding;
+    ring.samplerCount = instance.samplersNum;
+    m_constants.emplace(m_device, ring);
+    const uint32_t timedPasses = m_desc.isGpuTimingEnabled ? totals.setsMaxNum * calls : 0;
+    m_timer.emplace(m_device, m_desc.name, timedPasses, m_desc.framesInFlight);
+    m_planner.emplace(maxResourceCount(instance));
+
+    const std::string name = sentence("%s descriptors", m_desc.name);
+    rhi::DescriptorPoolDesc pool;
+    pool.sets = std::max(totals.setsMaxNum * calls, 1u);
+    pool.sampledTextures = totals.texturesMaxNum * calls;
+    pool.storageTextures = totals.storageTexturesMaxNum * calls;
+    pool.storageBuffers = totals.storageBuffersMaxNum * calls;
+    pool.name = name.c_str();
+    for (uint32_t i = 0; i < m_desc.framesInFlight; i++)
+        m_descriptorPools.push_back(m_device.createDescriptorPool(pool));
+    m_wrappedCommands.resize(kWrappedCommandBuffers);
+}
+
+void Core::createDefaultPipelines()
+{
+    // On an instance of its own: asking for dispatches advances the history of the denoisers that are asked.
+    const UniqueInstance scratch = createInstance();
+    std::vector<Identifier> identifiers;
+    for (const DenoiserState& denoiser : m_denoisers) identifiers.push_back(denoiser.desc.identifier);
+    CommonSettings settings = typicalSettings(m_desc.resourceWidth, m_desc.resourceHeight);
+    for (settings.frameIndex = 0; settings.frameIndex < 2; settings.frameIndex++) // with and without the first clears
+    {
+        const DispatchDesc* dispatches = nullptr;
+        uint32_t dispatchCount = 0;
+        if (SetCommonSettings(*scratch, settings) != Result::SUCCESS ||
+            GetComputeDispatches(*scratch, identifiers.data(), static_cast<uint32_t>(identifiers.size()), dispatches,
+                                 dispatchCount) != Result::SUCCESS)
+            throw Refusal(Result::FAILURE, sentence("createDefaultPipelines: %s", nrd::GetLastMessage(*scratch)));
+        for (uint32_t i = 0; i < dispatchCount; i++) m_pipelines.get(description(), dispatches[i].pipelineIndex);
+    }
+}
+
+std::unique_ptr<Pools> Core::createPools(const Instance& instance, uint32_t width, uint32_t height)
+{
+    return std::make_unique<Pools>(m_device, PoolsDesc{m_name.c_str(), width, height}, GetInstanceDesc(instance));
+}
+
+void Core::resize(uint32_t width, uint32_t height)
+{
+    checkSize(width, height);
+    if (width == m_desc.resourceWidth && height == m_desc.resourceHeight) return;
+    UniqueInstance instance = createInstance();
+    for (const DenoiserState& denoiser : m_denoisers)
+        std::visit(
+            [&](const auto& settings)
+            {
+                if constexpr (!std::is_same_v<std::decay_t<decltype(settings)>, std::monostate>)
+                    check(SetDenoiserSettings(*instance, denoiser.desc.identifier, settings));
+            },
+            denoiser.settings);
+    std::unique_ptr<Pools> pools = createPools(*instance, width, height);
+    m_retired.reserve(1);
+    // From here on nothing fails.
+    m_retired.retire(m_frame, std::exchange(m_pools, std::move(pools)));
+    m_timer->drop(); // its names belong to the instance that goes
+    m_instance = std::move(instance);
+    m_desc.resourceWidth = static_cast<uint16_t>(width);
+    m_desc.resourceHeight = static_cast<uint16_t>(height);
+    m_settingsFrame = 0;
+    for (DenoiserState& denoiser : m_denoisers)
+    {
+        denoiser.lastFrame = 0;
+        denoiser.isHistoryBroken = false;
+    }
+}
+
+void Core::newFrame()
+{
+    m_frame++;
+    const uint32_t slot = static_cast<uint32_t>(m_frame % m_desc.framesInFlight);
+    m_descriptorPools[slot]->reset();
+    m_constants->beginFrame(slot);
+    m_timer->beginFrame(m_frame, slot);
+    m_dispatchesLeft = description().descriptorPoolDesc.setsMaxNum * m_desc.maxDenoiseCallsPerFrame;
+    if (m_frame > m_desc.framesInFlight + kIdleFrames)
+        m_views.collect(m_frame - m_desc.framesInFlight - kIdleFrames, m_retired);
+    if (m_frame >= m_desc.framesInFlight) m_retired.collect(m_frame - m_desc.framesInFlight);
+}
+
+void Core::setCommonSettings(const CommonSettings& settings)
+{
+    if (m_frame == 0) throw Refusal(Result::INVALID_ARGUMENT, "NewFrame() must be called before SetCommonSettings()");
+    if (settings.resourceSize[0] != m_desc.resourceWidth || settings.resourceSize[1] != m_desc.resourceHeight)
+        throw Refusal(Result::INVALID_ARGUMENT,
+                      sentence("resourceSize is %u x %u, but the integration was created or resized for %u x %u",
+                               settings.resourceSize[0], settings.resourceSize[1], m_desc.resourceWidth,
+                               m_desc.resourceHeight));
+    if (m_hasFrameIndex && m_frameIndexFrame != m_frame && settings.frameIndex == m_common.frameIndex)
+        throw Refusal(Result::INVALID_ARGUMENT,
+                      sentence("frameIndex is %u as in the previous frame, it must grow by 1 with each frame",
+                               settings.frameIndex));
+    check(SetCommonSettings(*m_instance, settings));
+    m_common = settings;
+    m_hasFrameIndex = true;
+    m_frameIndexFrame = m_frame;
+    m_settingsFrame = m_frame;
+}
+
+Core::DenoiserState& Core::find(Identifier identifier)
+{
+    for (DenoiserState& denoiser : m_denoisers)
+        if (denoiser.desc.identifier == identifier) return denoiser;
+    throw Refusal(Result::INVALID_ARGUMENT, sentence("identifier %u names no denoiser of this instance", identifier));
+}
+
+void Core::check(Result result) const
+{
+    if (result != Result::SUCCESS) throw Refusal(result, nrd::GetLastMessage(*m_instance));
+}
+
+MemoryStatistics Core::memoryStatistics() const
+{
+    MemoryStatistics result;
+    result.permanent = m_pools->permanent().byteSize();
+    result.transient = m_pools->transient().byteSize();
+    for (const rhi::MemoryReportLine& line : m_device.memoryReport())
+        for (const char* const part : {"permanent", "transient", "constants", "buffers"})
+            if (line.tag == memoryTag(m_desc.name, part)) result.total += line.byteSize;
+    return result;
+}
+
+IntegrationStatistics Core::statistics() const
+{
+    return {m_views.size(), m_retired.size(), m_pipelines.createdCount()};
+}
+} // namespace nrd

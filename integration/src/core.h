@@ -1,0 +1,94 @@
+// One created integration, over any RHI device. Refusals are thrown; NrdIntegration turns them into results.
+#pragma once
+#include "dispatch.h"
+#include "refusal.h"
+#include <nrd/integration.h>
+#include <optional>
+#include <string>
+#include <variant>
+
+namespace nrd
+{
+struct InstanceDeleter
+{
+    void operator()(Instance* instance) const { DestroyInstance(instance); }
+};
+using UniqueInstance = std::unique_ptr<Instance, InstanceDeleter>;
+
+class Core
+{
+public:
+    /// `device` must outlive it; `desc.native` is not read.
+    Core(rhi::Device& device, const IntegrationCreationDesc& desc, const InstanceCreationDesc& instanceDesc);
+
+    void resize(uint32_t width, uint32_t height);
+    void newFrame();
+    void setCommonSettings(const CommonSettings& settings);
+    template <class Settings> void setDenoiserSettings(Identifier identifier, const Settings& settings)
+    {
+        check(SetDenoiserSettings(*m_instance, identifier, settings));
+        find(identifier).settings = settings;
+    }
+    void denoise(VkCommandBuffer commandBuffer, rhi::Span<const Identifier> identifiers, NrdUserPool& userPool,
+                 const DenoiseOptions& options);
+    void forget(VkImage image) { m_views.forget(image, m_retired); }
+
+    Timings timings() const { return m_timer->timings(); }
+    MemoryStatistics memoryStatistics() const;
+    IntegrationStatistics statistics() const;
+    const Instance& instance() const { return *m_instance; }
+
+private:
+    struct DenoiserState
+    {
+        DenoiserDesc desc;
+        std::variant<std::monostate, ReblurSettings, ReferenceSettings> settings; // as set last, for a new instance
+        uint64_t lastFrame = 0;                                                   // that it was denoised in
+        bool isHistoryBroken = false; // its last request was planned, but not recorded
+    };
+    struct WrappedCommands
+    {
+        VkCommandBuffer handle = VK_NULL_HANDLE;
+        std::unique_ptr<rhi::CommandBuffer> commands;
+    };
+
+    const InstanceDesc& description() const { return GetInstanceDesc(*m_instance); }
+    UniqueInstance createInstance();
+    void createFrameResources();
+    void createDefaultPipelines();
+    std::unique_ptr<Pools> createPools(const Instance& instance, uint32_t width, uint32_t height);
+    DenoiserState& find(Identifier identifier);
+    void check(Result result) const; // of the descriptor library
+    void checkRequest(rhi::Span<const Identifier> identifiers, const NrdUserPool& userPool);
+    void checkUserPool(const DenoiserState& denoiser, const NrdUserPool& userPool) const;
+    /// A call that failed after the library had planned it left histories half-way: they begin anew. False if none did.
+    bool repairHistory(rhi::Span<const Identifier> identifiers);
+    PlanContext planContext(NrdUserPool& userPool);
+    rhi::CommandBuffer& wrap(VkCommandBuffer commandBuffer);
+
+    rhi::Device& m_device;
+    std::string m_name;
+    IntegrationCreationDesc m_desc;
+    InstanceCreationDesc m_instanceDesc;
+    std::vector<DenoiserState> m_denoisers;
+    UniqueInstance m_instance;
+
+    Pipelines m_pipelines;
+    ViewCache m_views;
+    RetireQueue m_retired;
+    std::unique_ptr<Pools> m_pools;
+    std::optional<ConstantRing> m_constants;
+    std::optional<FrameTimer> m_timer;
+    std::optional<Planner> m_planner;
+    std::vector<std::unique_ptr<rhi::DescriptorPool>> m_descriptorPools; // one per frame in flight
+    std::vector<WrappedCommands> m_wrappedCommands;                      // the latest, round robin
+    size_t m_nextWrapped = 0;
+
+    uint64_t m_frame = 0;         // NewFrame() calls
+    uint64_t m_settingsFrame = 0; // of the last common settings, 0 = none since creation or resize
+    bool m_hasFrameIndex = false;
+    uint64_t m_frameIndexFrame = 0; // that the index below was given in
+    CommonSettings m_common;
+    uint32_t m_dispatchesLeft = 0; // in this frame
+};
+} // namespace nrd

@@ -1,0 +1,116 @@
+// The part of Core that runs for every call of Denoise().
+#include "core.h"
+#include "user_pool.h"
+#include <algorithm>
+#include <rhi/vulkan.h>
+
+namespace nrd
+{
+namespace
+{
+// Without stabilisation these have no history, and one of them may serve many lights in a frame.
+bool mayRepeat(Denoiser denoiser)
+{
+    return denoiser == Denoiser::SIGMA_SHADOW || denoiser == Denoiser::SIGMA_SHADOW_TRANSLUCENCY;
+}
+} // namespace
+
+void Core::denoise(VkCommandBuffer commandBuffer, rhi::Span<const Identifier> identifiers, NrdUserPool& userPool,
+                   const DenoiseOptions& options)
+{
+    if (commandBuffer == VK_NULL_HANDLE) throw Refusal(Result::INVALID_ARGUMENT, "commandBuffer is null");
+    checkRequest(identifiers, userPool);
+    if (identifiers.empty()) return;
+    rhi::CommandBuffer& commands = wrap(commandBuffer);
+    const bool isRepaired = repairHistory(identifiers);
+    const DispatchDesc* dispatches = nullptr;
+    uint32_t dispatchCount = 0;
+    check(GetComputeDispatches(*m_instance, identifiers.data(), static_cast<uint32_t>(identifiers.size()), dispatches,
+                               dispatchCount));
+    for (const Identifier identifier : identifiers) find(identifier).isHistoryBroken = true; // until it is recorded
+    if (isRepaired) check(SetCommonSettings(*m_instance, m_common)); // other identifiers of this frame keep theirs
+    const Plan& plan = m_planner->plan(planContext(userPool), dispatches, dispatchCount, options);
+    record(commands, plan, description(), *m_timer, m_desc.name);
+    m_dispatchesLeft -= std::min(m_dispatchesLeft, dispatchCount);
+    for (const Identifier identifier : identifiers)
+    {
+        DenoiserState& denoiser = find(identifier);
+        denoiser.isHistoryBroken = false;
+        denoiser.lastFrame = m_frame;
+    }
+}
+
+void Core::checkRequest(rhi::Span<const Identifier> identifiers, const NrdUserPool& userPool)
+{
+    if (m_frame == 0) throw Refusal(Result::INVALID_ARGUMENT, "NewFrame() must be called before Denoise()");
+    if (m_settingsFrame != m_frame)
+        throw Refusal(Result::INVALID_ARGUMENT,
+                      "SetCommonSettings() must be called between NewFrame() or Resize() and Denoise()");
+    if (identifiers.size() != 0 && identifiers.data() == nullptr)
+        throw Refusal(Result::INVALID_ARGUMENT, sentence("identifiers is null, but identifiersNum is %u",
+                                                         static_cast<uint32_t>(identifiers.size())));
+    for (size_t i = 0; i < identifiers.size(); i++)
+    {
+        const DenoiserState& denoiser = find(identifiers[i]);
+        const bool isListedTwice =
+            std::find(identifiers.begin(), identifiers.begin() + i, identifiers[i]) != identifiers.begin() + i;
+        if (isListedTwice || (denoiser.lastFrame == m_frame && !mayRepeat(denoiser.desc.denoiser)))
+            throw Refusal(Result::INVALID_ARGUMENT,
+                          sentence("identifier %u (%s) is denoised twice in one frame, which would spoil its history",
+                                   identifiers[i], toString(denoiser.desc.denoiser)));
+        checkUserPool(denoiser, userPool);
+    }
+    const std::string conflict = findStateConflict(userPool);
+    if (!conflict.empty()) throw Refusal(Result::INVALID_ARGUMENT, conflict);
+    if (m_dispatchesLeft < description().descriptorPoolDesc.setsMaxNum)
+        throw Refusal(Result::INVALID_ARGUMENT,
+                      sentence("Denoise() is called more often in this frame than maxDenoiseCallsPerFrame = %u allows",
+                               m_desc.maxDenoiseCallsPerFrame));
+}
+
+void Core::checkUserPool(const DenoiserState& denoiser, const NrdUserPool& userPool) const
+{
+    const SlotRules rules = {m_desc.resourceWidth, m_desc.resourceHeight, description().normalEncoding};
+    const ResourceRequirement* needs = nullptr;
+    uint32_t needCount = 0;
+    check(GetRequiredResources(*m_instance, denoiser.desc.identifier, needs, needCount));
+    for (uint32_t i = 0; i < needCount; i++)
+    {
+        const std::string error = findError(userPool[needs[i].type], needs[i], rules, toString(denoiser.desc.denoiser));
+        if (!error.empty()) throw Refusal(Result::INVALID_ARGUMENT, error);
+    }
+}
+
+bool Core::repairHistory(rhi::Span<const Identifier> identifiers)
+{
+    bool isBroken = false;
+    for (const Identifier identifier : identifiers) isBroken |= find(identifier).isHistoryBroken;
+    if (!isBroken) return false;
+    CommonSettings settings = m_common;
+    settings.accumulationMode = AccumulationMode::CLEAR_AND_RESTART;
+    check(SetCommonSettings(*m_instance, settings));
+    return true;
+}
+
+PlanContext Core::planContext(NrdUserPool& userPool)
+{
+    const size_t slot = static_cast<size_t>(m_frame % m_desc.framesInFlight);
+    return {m_device,    description(),
+            m_pipelines, *m_constants,
+            *m_pools,    m_views,
+            m_retired,   *m_descriptorPools[slot],
+            userPool,    m_desc.layoutPolicy,
+            m_frame};
+}
+
+rhi::CommandBuffer& Core::wrap(VkCommandBuffer commandBuffer)
+{
+    for (const WrappedCommands& wrapped : m_wrappedCommands)
+        if (wrapped.handle == commandBuffer) return *wrapped.commands;
+    WrappedCommands& wrapped = m_wrappedCommands[m_nextWrapped];
+    wrapped.commands = rhi::wrapVulkanCommandBuffer(m_device, commandBuffer);
+    wrapped.handle = commandBuffer;
+    m_nextWrapped = (m_nextWrapped + 1) % m_wrappedCommands.size();
+    return *wrapped.commands;
+}
+} // namespace nrd

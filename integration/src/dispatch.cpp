@@ -1,0 +1,261 @@
+#include "dispatch.h"
+#include "convert.h"
+#include "refusal.h"
+#include <algorithm>
+
+namespace nrd
+{
+namespace
+{
+bool isUserSlot(ResourceType type) { return static_cast<uint32_t>(type) < NrdUserPool::kSlotsNum; }
+ResourceType slotAt(uint32_t index) { return static_cast<ResourceType>(index); }
+
+uint32_t poolTextureCount(const Pools& pools) { return pools.permanent().size() + pools.transient().size(); }
+
+// UNDEFINED and PREINITIALIZED cannot be returned to.
+bool canRestore(VkImageLayout layout)
+{
+    return layout != VK_IMAGE_LAYOUT_UNDEFINED && layout != VK_IMAGE_LAYOUT_PREINITIALIZED;
+}
+} // namespace
+
+void Plan::clear()
+{
+    dispatches.clear();
+    textureBarriers.clear();
+    bufferBarriers.clear();
+}
+
+Planner::Planner(uint32_t maxResourceCount) { m_writes.reserve(maxResourceCount); }
+
+const Plan& Planner::plan(const PlanContext& context, const DispatchDesc* dispatches, uint32_t dispatchCount,
+                          const DenoiseOptions& options)
+{
+    // Puts the states back if planning fails half-way; dismissed at the end.
+    struct Rollback
+    {
+        Planner& planner;
+        Pools& pools;
+        bool isArmed = true;
+        ~Rollback()
+        {
+            if (!isArmed) return;
+            std::swap(pools.states, planner.m_savedStates);
+            std::swap(pools.bufferStates, planner.m_savedBufferStates);
+        }
+    };
+    m_plan.clear();
+    m_hasConstants = false;
+    m_savedStates = context.pools.states;
+    m_savedBufferStates = context.pools.bufferStates;
+    Rollback rollback{*this, context.pools};
+
+    enterUserStates(context);
+    for (uint32_t i = 0; i < dispatchCount; i++) planDispatch(context, dispatches[i]);
+    leaveUserStates(context, options);
+    rollback.isArmed = false;
+    return m_plan;
+}
+
+void Planner::enterUserStates(const PlanContext& context)
+{
+    const uint32_t first = poolTextureCount(context.pools);
+    for (uint32_t i = 0; i < NrdUserPool::kSlotsNum; i++)
+    {
+        const NrdUserImage& image = context.userPool[slotAt(i)];
+        m_slots[i] = {nullptr, first + i, toRhi(image.state)};
+        if (image.image == VK_NULL_HANDLE) continue;
+        for (uint32_t j = 0; j < i; j++)
+            if (context.userPool[slotAt(j)].image == image.image)
+                m_slots[i].state = std::min(m_slots[i].state, first + j);
+        context.pools.states.setState(m_slots[i].state, m_slots[i].initial);
+    }
+}
+
+void Planner::leaveUserStates(const PlanContext& context, const DenoiseOptions& options)
+{
+    const uint32_t first = poolTextureCount(context.pools);
+    StateTracker& states = context.pools.states;
+    m_plan.textureBarriers.reserve(m_plan.textureBarriers.size() + NrdUserPool::kSlotsNum);
+    for (uint32_t i = 0; options.restoreInitialStates && i < NrdUserPool::kSlotsNum; i++)
+    {
+        const UserSlot& slot = m_slots[i];
+        const rhi::TextureState left = states.state(slot.state);
+        if (slot.state != first + i || left == slot.initial) continue; // done under its first slot, or as it came
+        if (!canRestore(context.userPool[slotAt(i)].state.layout)) continue;
+        m_plan.textureBarriers.push_back({&textureOf(context, slot.state), left, slot.initial});
+        states.setState(slot.state, slot.initial);
+    }
+    for (uint32_t i = 0; i < NrdUserPool::kSlotsNum; i++)
+    {
+        NrdUserImage& image = context.userPool[slotAt(i)];
+        if (image.image != VK_NULL_HANDLE) image.state = toImageState(states.state(m_slots[i].state));
+    }
+}
+
+void Planner::planDispatch(const PlanContext& context, const DispatchDesc& dispatch)
+{
+    PlannedDispatch planned;
+    planned.name = dispatch.name;
+    planned.pipeline = &context.pipelines.get(context.instance, dispatch.pipelineIndex);
+    planBarriers(context, dispatch);
+    planDescriptors(context, dispatch, planned);
+    planConstants(context, dispatch, planned);
+    planned.textureBarrierEnd = static_cast<uint32_t>(m_plan.textureBarriers.size());
+    planned.bufferBarrierEnd = static_cast<uint32_t>(m_plan.bufferBarriers.size());
+    planned.groups[0] = dispatch.gridWidth;
+    planned.groups[1] = dispatch.gridHeight;
+    if (dispatch.indirectBufferIndex != kNoBuffer)
+    {
+        planned.indirect = &context.pools.buffer(dispatch.indirectBufferIndex);
+        planned.indirectOffset = dispatch.indirectBufferOffset;
+    }
+    m_plan.dispatches.push_back(planned);
+}
+
+void Planner::planBarriers(const PlanContext& context, const DispatchDesc& dispatch)
+{
+    for (uint32_t i = 0; i < dispatch.resourcesNum; i++)
+    {
+        const ResourceDesc& resource = dispatch.resources[i];
+        if (resource.descriptorType == DescriptorType::STORAGE_BUFFER)
+        {
+            planBufferUse(context, resource.indexInPool, toBufferState(resource.state));
+            continue;
+        }
+        if (isUserSlot(resource.type) && context.userPool[resource.type].image == VK_NULL_HANDLE)
+            throw Refusal(Result::INVALID_ARGUMENT,
+                          sentence("%s: the slot is empty, but '%s' needs it", toString(resource.type), dispatch.name));
+        context.pools.states.use(stateIndex(context, resource), toRhi(resource.state, context.layoutPolicy));
+    }
+    if (dispatch.indirectBufferIndex != kNoBuffer)
+        planBufferUse(context, dispatch.indirectBufferIndex, toBufferState(ResourceState::INDIRECT_ARGUMENTS));
+    m_transitions.clear();
+    context.pools.states.endStep(m_transitions);
+    for (const Transition& transition : m_transitions)
+        m_plan.textureBarriers.push_back(
+            {&textureOf(context, transition.texture), transition.before, transition.after});
+}
+
+void Planner::planBufferUse(const PlanContext& context, uint32_t buffer, const rhi::BufferState& after)
+{
+    rhi::BufferState& state = context.pools.bufferStates[buffer];
+    const rhi::TextureState before = {state.access, rhi::Layout::General, state.stages};
+    if (state.access != rhi::Access::None && needsBarrier(before, {after.access, rhi::Layout::General, after.stages}))
+        m_plan.bufferBarriers.push_back({&context.pools.buffer(buffer), state, after});
+    else if (state.access != rhi::Access::None)
+        return; // already readable
+    state = after;
+}
+
+void Planner::planDescriptors(const PlanContext& context, const DispatchDesc& dispatch, PlannedDispatch& planned)
+{
+    if (dispatch.resourcesNum == 0) return;
+    m_writes.clear();
+    for (uint32_t i = 0; i < dispatch.resourcesNum; i++)
+    {
+        const ResourceDesc& resource = dispatch.resources[i];
+        rhi::DescriptorWrite write;
+        write.binding = i;
+        if (resource.descriptorType == DescriptorType::STORAGE_BUFFER)
+        {
+            write.buffer = &context.pools.buffer(resource.indexInPool);
+            write.size = write.buffer->desc().size;
+        }
+        else
+        {
+            write.view = &viewOf(context, resource);
+            write.layout = context.pools.states.needed(stateIndex(context, resource)).layout;
+        }
+        m_writes.push_back(write);
+    }
+    rhi::DescriptorSet& set = context.descriptorPool.allocate(*planned.pipeline, context.instance.resourcesSet);
+    set.write(m_writes);
+    planned.resources = &set;
+}
+
+void Planner::planConstants(const PlanContext& context, const DispatchDesc& dispatch, PlannedDispatch& planned)
+{
+    if (!context.instance.pipelines[dispatch.pipelineIndex].hasConstantData) return;
+    if (!m_hasConstants || !dispatch.constantBufferDataMatchesPreviousDispatch)
+        m_constantsOffset = context.constants.push(dispatch.constantBufferData, dispatch.constantBufferDataSize);
+    m_hasConstants = true;
+    planned.constants = &context.constants.descriptorSet(*planned.pipeline);
+    planned.constantsOffset = m_constantsOffset;
+}
+
+uint32_t Planner::stateIndex(const PlanContext& context, const ResourceDesc& resource) const
+{
+    if (resource.type == ResourceType::PERMANENT_POOL) return resource.indexInPool;
+    if (resource.type == ResourceType::TRANSIENT_POOL) return context.pools.permanent().size() + resource.indexInPool;
+    return m_slots[static_cast<uint32_t>(resource.type)].state;
+}
+
+const rhi::Texture& Planner::textureOf(const PlanContext& context, uint32_t stateIndex)
+{
+    const uint32_t permanentCount = context.pools.permanent().size();
+    const uint32_t poolCount = poolTextureCount(context.pools);
+    if (stateIndex < permanentCount) return context.pools.permanent().texture(stateIndex);
+    if (stateIndex < poolCount) return context.pools.transient().texture(stateIndex - permanentCount);
+    return cachedImage(context, slotAt(stateIndex - poolCount)).texture();
+}
+
+const rhi::TextureView& Planner::viewOf(const PlanContext& context, const ResourceDesc& resource)
+{
+    const bool isStorage = resource.descriptorType == DescriptorType::STORAGE_TEXTURE;
+    const rhi::ViewType type = isStorage ? rhi::ViewType::Storage : rhi::ViewType::Sampled;
+    if (resource.type == ResourceType::PERMANENT_POOL)
+        return context.pools.permanent().view(resource.indexInPool, type);
+    if (resource.type == ResourceType::TRANSIENT_POOL)
+        return context.pools.transient().view(resource.indexInPool, type);
+    return cachedImage(context, resource.type).view(context.device, type);
+}
+
+CachedImage& Planner::cachedImage(const PlanContext& context, ResourceType slot)
+{
+    CachedImage*& cached = m_slots[static_cast<uint32_t>(slot)].cached;
+    if (!cached)
+        cached = &context.views.acquire(context.userPool[slot], toString(slot), context.frame, context.retired);
+    return *cached;
+}
+
+void record(rhi::CommandBuffer& commands, const Plan& plan, const InstanceDesc& instance, FrameTimer& timer,
+            const char* label)
+{
+    const rhi::TextureBarrier* const textures = plan.textureBarriers.data();
+    const rhi::BufferBarrier* const buffers = plan.bufferBarriers.data();
+    uint32_t textureBegin = 0;
+    uint32_t bufferBegin = 0;
+    const rhi::Pipeline* pipeline = nullptr;
+    const rhi::DescriptorSet* constants = nullptr; // bound, with the offset below
+    uint32_t constantsOffset = 0;
+
+    commands.beginLabel(label);
+    timer.beginCall(commands, static_cast<uint32_t>(plan.dispatches.size()));
+    for (const PlannedDispatch& dispatch : plan.dispatches)
+    {
+        commands.beginLabel(dispatch.name);
+        if (dispatch.textureBarrierEnd != textureBegin || dispatch.bufferBarrierEnd != bufferBegin)
+            commands.barriers({textures + textureBegin, dispatch.textureBarrierEnd - textureBegin},
+                              {buffers + bufferBegin, dispatch.bufferBarrierEnd - bufferBegin});
+        if (dispatch.pipeline != pipeline) commands.bindPipeline(*dispatch.pipeline);
+        if (dispatch.constants && (!constants || dispatch.constantsOffset != constantsOffset))
+            commands.bindSet(instance.constantsAndSamplersSet, *dispatch.constants, {dispatch.constantsOffset});
+        if (dispatch.resources) commands.bindSet(instance.resourcesSet, *dispatch.resources, {});
+        if (dispatch.indirect)
+            commands.dispatchIndirect(*dispatch.indirect, dispatch.indirectOffset);
+        else
+            commands.dispatch(dispatch.groups[0], dispatch.groups[1], 1);
+        commands.endLabel();
+        timer.endPass(commands, dispatch.name);
+        pipeline = dispatch.pipeline;
+        constants = dispatch.constants; // a pipeline without constants disturbs their set
+        constantsOffset = dispatch.constantsOffset;
+        textureBegin = dispatch.textureBarrierEnd;
+        bufferBegin = dispatch.bufferBarrierEnd;
+    }
+    if (plan.textureBarriers.size() != textureBegin)
+        commands.barriers({textures + textureBegin, plan.textureBarriers.size() - textureBegin}, {});
+    commands.endLabel();
+}
+} // namespace nrd

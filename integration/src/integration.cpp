@@ -1,0 +1,185 @@
+#include "convert.h"
+#include "core.h"
+#include "integration_access.h"
+#include <cstdio>
+#include <new>
+#include <rhi/vulkan.h>
+
+namespace nrd
+{
+namespace
+{
+constexpr char kNotCreated[] = "Create() must succeed before any other call";
+}
+
+struct NrdIntegration::Impl
+{
+    std::unique_ptr<rhi::Device> ownedDevice; // wraps the application's; empty over a given device
+    std::unique_ptr<Core> core;               // null unless created
+    MessageSink sink;
+    char message[512] = "";
+
+    Result fail(Result result, const char* text)
+    {
+        std::snprintf(message, sizeof(message), "%s", text);
+        if (sink.report) sink.report(sink.userArg, result, message);
+        return result;
+    }
+
+    // The one place where exceptions end.
+    template <class Body> Result guarded(Body&& body)
+    {
+        try
+        {
+            body();
+            return Result::SUCCESS;
+        }
+        catch (const Refusal& error)
+        {
+            return fail(error.result(), error.what());
+        }
+        catch (const rhi::Error& error)
+        {
+            return fail(toResult(error.code()), error.what());
+        }
+        catch (const std::exception& error) // memory of the host
+        {
+            return fail(Result::FAILURE, error.what());
+        }
+    }
+
+    /// `self` may be null, before the first Create().
+    template <class Body> static Result withCore(Impl* self, Body&& body)
+    {
+        if (!self) return Result::INVALID_ARGUMENT;
+        if (!self->core) return self->fail(Result::INVALID_ARGUMENT, kNotCreated);
+        return self->guarded([&] { body(*self->core); });
+    }
+
+    Result create(rhi::Device* device, const IntegrationCreationDesc& desc, const InstanceCreationDesc& instanceDesc)
+    {
+        if (core) return fail(Result::INVALID_ARGUMENT, "Create() was called before: Destroy() must come in between");
+        sink = instanceDesc.messageSink;
+        const Result result = guarded(
+            [&]
+            {
+                if (!device) ownedDevice = wrapDevice(desc.native);
+                core = std::make_unique<Core>(device ? *device : *ownedDevice, desc, instanceDesc);
+            });
+        if (result != Result::SUCCESS) ownedDevice.reset();
+        return result;
+    }
+
+    static std::unique_ptr<rhi::Device> wrapDevice(const NativeDevice& native);
+};
+
+std::unique_ptr<rhi::Device> NrdIntegration::Impl::wrapDevice(const NativeDevice& native)
+{
+    const auto require = [](bool isGiven, const char* field)
+    {
+        if (!isGiven) throw Refusal(Result::INVALID_ARGUMENT, sentence("native.%s is null", field));
+    };
+    require(native.instance != VK_NULL_HANDLE, "instance");
+    require(native.physicalDevice != VK_NULL_HANDLE, "physicalDevice");
+    require(native.device != VK_NULL_HANDLE, "device");
+    require(native.getInstanceProcAddr != nullptr, "getInstanceProcAddr");
+    rhi::VulkanNativeDevice result;
+    result.instance = native.instance;
+    result.physicalDevice = native.physicalDevice;
+    result.device = native.device;
+    result.queueFamilyIndex = native.queueFamilyIndex;
+    result.getInstanceProcAddr = native.getInstanceProcAddr;
+    result.getDeviceProcAddr = native.getDeviceProcAddr;
+    result.enabledFeatures = native.enabledFeatures;
+    result.isSynchronization2Enabled = native.isSynchronization2Enabled;
+    result.isDebugUtilsEnabled = native.isDebugUtilsEnabled;
+    result.pipelineCache = native.pipelineCache;
+    result.allocationCallbacks = native.allocationCallbacks;
+    return rhi::wrapVulkanDevice(result);
+}
+
+RequiredDeviceFeatures GetRequiredDeviceFeatures()
+{
+    static const rhi::VulkanRequirements kRequirements = rhi::requiredVulkanFeatures();
+    return {kRequirements.apiVersion, kRequirements.features, kRequirements.deviceExtensions.data(),
+            static_cast<uint32_t>(kRequirements.deviceExtensions.size())};
+}
+
+NrdIntegration::NrdIntegration() = default;
+NrdIntegration::~NrdIntegration() = default;
+NrdIntegration::NrdIntegration(NrdIntegration&&) noexcept = default;
+NrdIntegration& NrdIntegration::operator=(NrdIntegration&&) noexcept = default;
+
+Result NrdIntegration::Create(const IntegrationCreationDesc& desc, const InstanceCreationDesc& instanceDesc)
+{
+    if (!m_impl) m_impl.reset(new (std::nothrow) Impl);
+    return m_impl ? m_impl->create(nullptr, desc, instanceDesc) : Result::FAILURE;
+}
+
+Result IntegrationAccess::Create(NrdIntegration& integration, rhi::Device& device, const IntegrationCreationDesc& desc,
+                                 const InstanceCreationDesc& instanceDesc)
+{
+    if (!integration.m_impl) integration.m_impl.reset(new (std::nothrow) NrdIntegration::Impl);
+    return integration.m_impl ? integration.m_impl->create(&device, desc, instanceDesc) : Result::FAILURE;
+}
+
+void NrdIntegration::Destroy() { m_impl.reset(); }
+bool NrdIntegration::IsCreated() const { return m_impl && m_impl->core; }
+
+Result NrdIntegration::Resize(uint16_t resourceWidth, uint16_t resourceHeight)
+{
+    return Impl::withCore(m_impl.get(), [&](Core& core) { core.resize(resourceWidth, resourceHeight); });
+}
+
+Result NrdIntegration::NewFrame()
+{
+    return Impl::withCore(m_impl.get(), [](Core& core) { core.newFrame(); });
+}
+
+Result NrdIntegration::SetCommonSettings(const CommonSettings& settings)
+{
+    return Impl::withCore(m_impl.get(), [&](Core& core) { core.setCommonSettings(settings); });
+}
+
+Result NrdIntegration::SetDenoiserSettings(Identifier identifier, const ReblurSettings& settings)
+{
+    return Impl::withCore(m_impl.get(), [&](Core& core) { core.setDenoiserSettings(identifier, settings); });
+}
+
+Result NrdIntegration::SetDenoiserSettings(Identifier identifier, const ReferenceSettings& settings)
+{
+    return Impl::withCore(m_impl.get(), [&](Core& core) { core.setDenoiserSettings(identifier, settings); });
+}
+
+Result NrdIntegration::Denoise(VkCommandBuffer commandBuffer, const Identifier* identifiers, uint32_t identifiersNum,
+                               NrdUserPool& userPool, const DenoiseOptions& options)
+{
+    return Impl::withCore(m_impl.get(),
+                          [&](Core& core) {
+                              core.denoise(commandBuffer, {identifiers, identifiersNum}, userPool, options);
+                          });
+}
+
+Result NrdIntegration::Forget(VkImage image)
+{
+    return Impl::withCore(m_impl.get(), [&](Core& core) { core.forget(image); });
+}
+
+Timings NrdIntegration::GetTimings() const { return IsCreated() ? m_impl->core->timings() : Timings{}; }
+
+MemoryStatistics NrdIntegration::GetMemoryStatistics() const
+{
+    MemoryStatistics result;
+    if (IsCreated()) (void)m_impl->guarded([&] { result = m_impl->core->memoryStatistics(); });
+    return result;
+}
+
+IntegrationStatistics NrdIntegration::GetStatistics() const
+{
+    return IsCreated() ? m_impl->core->statistics() : IntegrationStatistics{};
+}
+
+const Instance* NrdIntegration::GetInstance() const { return IsCreated() ? &m_impl->core->instance() : nullptr; }
+
+const char* NrdIntegration::GetLastMessage() const { return m_impl ? m_impl->message : kNotCreated; }
+} // namespace nrd

@@ -1,0 +1,16 @@
+#include "refusal.h"
+#include <cstdarg>
+#include <cstdio>
+
+namespace nrd
+{
+std::string sentence(const char* format, ...)
+{
+    char text[512];
+    va_list arguments;
+    va_start(arguments, format);
+    std::vsnprintf(text, sizeof(text), format, arguments);
+    va_end(arguments);
+    return text;
+}
+} // namespace nrd
