@@ -22,17 +22,22 @@ namespace
 {
 constexpr float kHalfMax = 65504.0f;
 
-// The library decodes blocks of lines on its own threads; it starts with none.
-void startThreads()
+// Limits must be known before the library allocates for a broken header; it decodes on no threads unless told to.
+void configureLibrary()
 {
     static std::once_flag once;
-    std::call_once(once, [] { Imf::setGlobalThreadCount(static_cast<int>(std::thread::hardware_concurrency())); });
+    const auto configure = []
+    {
+        Imf::Header::setMaxImageSize(kMaxExrSize, kMaxExrSize);
+        Imf::setGlobalThreadCount(static_cast<int>(std::thread::hardware_concurrency()));
+    };
+    std::call_once(once, configure);
 }
 
 // Turns whatever the library throws into the one sentence callers expect.
 template <class F> auto guarded(const std::filesystem::path& file, const char* verb, F&& body)
 {
-    startThreads();
+    configureLibrary();
     try
     {
         return body();

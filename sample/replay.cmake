@@ -13,6 +13,7 @@ add_library(nrd_measures STATIC
     ${CMAKE_CURRENT_LIST_DIR}/measures/flip.cpp
     ${CMAKE_CURRENT_LIST_DIR}/measures/frame_measures.cpp
     ${CMAKE_CURRENT_LIST_DIR}/measures/measures.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/measures/sequence.cpp
     ${CMAKE_CURRENT_LIST_DIR}/measures/signals.cpp)
 target_include_directories(nrd_measures PUBLIC "${CMAKE_CURRENT_LIST_DIR}/measures")
 target_link_libraries(nrd_measures PUBLIC nrd_capture PRIVATE nrd_warnings)

@@ -134,7 +134,7 @@ Signals noisySignals(const Planes& frame, const CaptureInfo& info, const SignalS
 void compose(Signals& signals, const Planes& frame, const Signals& reference)
 {
     const bool hasAny = signals.has(Signal::Diffuse) || signals.has(Signal::Specular) || signals.has(Signal::Shadow);
-    if (hasAny && reference.has(Signal::Composed)) signals[Signal::Composed] = composed(frame, signals, reference);
+    if (hasAny) signals[Signal::Composed] = composed(frame, signals, reference);
 }
 
 Mask surfaceMask(const Planes& frame, double denoisingRange)
