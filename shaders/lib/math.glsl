@@ -35,4 +35,15 @@ bool isFinite(float x) { return (floatBitsToUint(x) & 0x7F800000u) != 0x7F800000
 
 bool isFinite(vec4 v) { return isFinite(v.x) && isFinite(v.y) && isFinite(v.z) && isFinite(v.w); }
 
+// To the nearest half float. Some devices truncate on store; in a recurrent filter that is a steady loss of energy.
+float roundToHalf(float x)
+{
+    float v = clamp(x, -65504.0, 65504.0);
+    if (abs(v) < 6.1035e-5) return roundEven(v * 16777216.0) * (1.0 / 16777216.0); // subnormal: fixed steps
+    uint bits = floatBitsToUint(v);
+    return uintBitsToFloat((bits + 0xFFFu + ((bits >> 13) & 1u)) & 0xFFFFE000u);
+}
+
+vec4 roundToHalf(vec4 v) { return vec4(roundToHalf(v.x), roundToHalf(v.y), roundToHalf(v.z), roundToHalf(v.w)); }
+
 #endif

@@ -149,7 +149,7 @@ LobeResult accumulateSpecular(Surface s, SurfaceTrack surface)
     vec4 history = readSignal(gIn_SpecularHistory, read);
     if (!isValid) signal = history;
     vec4 mixed = mixHistory(history, signal, length, s.guide.roughness);
-    imageStore(gOut_Specular, s.pixel, mixed);
+    imageStore(gOut_Specular, s.pixel, roundToHalf(mixed));
     float fastHistory = fetchBilinear(gIn_Fast, read.origin, read.weights, lastPrevTexel())[kSpecularChannel];
     float fastLength = g.maxFastAccumulatedFrameNum;
     if (kHasMaterialTest && s.guide.materialID == g.strandMaterialID)

@@ -181,7 +181,7 @@ void main()
 #endif
     vec2 own = sFast[int(gl_LocalInvocationID.y) + kRadius][int(gl_LocalInvocationID.x) + kRadius];
     vec2 fast = mix(vec2(signals[0].x, signals[1].x), own, share);
-    imageStore(gOut_Fast, position, vec4(fast, 0.0, 0.0));
+    imageStore(gOut_Fast, position, roundToHalf(vec4(fast, 0.0, 0.0)));
 
     vec2 luma = vec2(signals[0].x, signals[1].x);
     if (kHasAntiFirefly)
@@ -199,9 +199,9 @@ void main()
         signals[i] = changeLuma(signals[i], fastClamp(luma[i], near, i, n[i], scale));
     }
 #if HAS_DIFFUSE
-    imageStore(gOut_Diffuse, position, signals[0]);
+    imageStore(gOut_Diffuse, position, roundToHalf(signals[0]));
 #endif
 #if HAS_SPECULAR
-    imageStore(gOut_Specular, position, signals[kSpecularChannel]);
+    imageStore(gOut_Specular, position, roundToHalf(signals[kSpecularChannel]));
 #endif
 }

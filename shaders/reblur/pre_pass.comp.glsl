@@ -87,11 +87,13 @@ void main()
     float tracking;
 #if HAS_DIFFUSE
     Lobe diffuse = Lobe(1.0, g.minMaterialForDiffuse, g.diffusePrepassRadius);
-    imageStore(gOut_Diffuse, position, prefilter(gIn_Diffuse, p, diffuse, false, position, tracking));
+    vec4 diffuseSignal = prefilter(gIn_Diffuse, p, diffuse, false, position, tracking);
+    imageStore(gOut_Diffuse, position, roundToHalf(diffuseSignal));
 #endif
 #if HAS_SPECULAR
     Lobe specular = Lobe(p.guide.roughness, g.minMaterialForSpecular, g.specularPrepassRadius);
-    imageStore(gOut_Specular, position, prefilter(gIn_Specular, p, specular, true, position, tracking));
+    vec4 specularSignal = prefilter(gIn_Specular, p, specular, true, position, tracking);
+    imageStore(gOut_Specular, position, roundToHalf(specularSignal));
     imageStore(gOut_TrackNew, position, vec4(min(tracking, kTrackingMax)));
 #endif
 }

@@ -36,7 +36,7 @@ vec4 blurLobe(texture2D signal, texture2D viewZs, texture2D normals, Pixel p, Lo
         sum += weight > 0.0 ? value.xyz * weight : vec3(0.0);
         weightSum += weight;
     }
-    return vec4(sum / weightSum, centre.w);
+    return roundToHalf(vec4(sum / weightSum, centre.w));
 }
 
 // The convergence of a pixel, drawn towards that of its 2x2 partners where they are more stable: single fresh pixels

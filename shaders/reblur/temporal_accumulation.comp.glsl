@@ -71,7 +71,7 @@ LobeResult accumulateDiffuse(Surface s, SurfaceTrack surface)
     vec4 mixed = mixHistory(history, signal, result.n, 1.0);
     float fastWeight = newSampleWeight(min(result.n, g.maxFastAccumulatedFrameNum));
     result.fast = limitFast(mix(fastHistory, signal.x, fastWeight), history.x, result.n);
-    imageStore(gOut_Diffuse, s.pixel, mixed);
+    imageStore(gOut_Diffuse, s.pixel, roundToHalf(mixed));
     result.stabHistory = kHasStabilization ? readStabilized(0, read) : 0.0;
     result.stabWeight = g.isHistoryReset != 0u ? 0.0 : sqrt(saturate(dot(surface.weights, vec4(1.0))));
     return result;
@@ -100,10 +100,10 @@ void main()
 #if HAS_SPECULAR
     specular = accumulateSpecular(s, surface);
 #endif
-    imageStore(gOut_Fast, pixel, packScalars(diffuse.fast, specular.fast));
+    imageStore(gOut_Fast, pixel, roundToHalf(packScalars(diffuse.fast, specular.fast)));
     vec2 lengths = packScalars(diffuse.n, specular.n).xy;
     imageStore(gOut_Length, pixel, vec4(packLengths(lengths), 0.0, 0.0));
     if (!kHasStabilization) return;
-    imageStore(gOut_StabHistory, pixel, packScalars(diffuse.stabHistory, specular.stabHistory));
+    imageStore(gOut_StabHistory, pixel, roundToHalf(packScalars(diffuse.stabHistory, specular.stabHistory)));
     imageStore(gOut_StabWeight, pixel, packScalars(diffuse.stabWeight, specular.stabWeight));
 }

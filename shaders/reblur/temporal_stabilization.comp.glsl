@@ -97,7 +97,10 @@ Stabilized stabilize(int lobe, float luma, float history, float quality, float n
     return result;
 }
 
-vec4 outputSignal(vec4 signal, float n) { return vec4(signal.xyz, g.returnHistoryLength != 0u ? n : signal.w); }
+vec4 outputSignal(vec4 signal, float n)
+{
+    return roundToHalf(vec4(signal.xyz, g.returnHistoryLength != 0u ? n : signal.w));
+}
 
 float specularStrength(Guide guide)
 {
@@ -133,6 +136,6 @@ void main()
     specular = stabilize(c, specularSignal.x, history[c], quality[c], n[c], isOutsideSplit * specularStrength(guide));
     imageStore(gOut_Specular, position, outputSignal(changeLuma(specularSignal, specular.luma), n[c]));
 #endif
-    imageStore(gOut_Stab, position, packScalars(diffuse.luma, specular.luma));
+    imageStore(gOut_Stab, position, roundToHalf(packScalars(diffuse.luma, specular.luma)));
     imageStore(gOut_PrevLength, position, uvec4(packLengthWord(packScalars(diffuse.n, specular.n).xy + 1.0)));
 }

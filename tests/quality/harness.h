@@ -1,0 +1,42 @@
+// Runs REBLUR_DIFFUSE_SPECULAR through NrdIntegration on images filled from the host. Any validation message of the
+// device fails the running test case.
+#pragma once
+#include "scene.h"
+#include <functional>
+#include <memory>
+#include <nrd/integration.h>
+#include <vector>
+
+namespace quality
+{
+using Signal = std::vector<glm::vec4>; // Y, Co, Cg, normalised hit distance
+
+struct Frame
+{
+    Guides guides;
+    Signal diffuse, specular;
+};
+
+class Harness
+{
+public:
+    Harness(int width, int height, const nrd::ReblurSettings& settings = {});
+    ~Harness();
+
+    // `change` may alter the common settings of this frame; the previous frame's camera is kept here.
+    void denoise(const Frame& frame, const std::function<void(nrd::CommonSettings&)>& change = {});
+
+    const Signal& diffuse() const; // as the outputs hold it after the last frame
+    const Signal& specular() const;
+    int width() const;
+    int height() const;
+    void poisonOutputs(float value); // what outputs hold before the next frame
+
+private:
+    struct Impl;
+    std::unique_ptr<Impl> m_impl;
+};
+
+// Rounds as storing in a half float does.
+float toHalf(float value);
+} // namespace quality
