@@ -40,11 +40,17 @@ UniquePipeline createPipeline(const Device& device, const ComputeDesc& desc, VkP
     VkShaderModule handle = VK_NULL_HANDLE;
     check(vkCreateShaderModule(device.handle(), &moduleInfo, nullptr, &handle), "create shader " + desc.name);
     const UniqueShaderModule shader(device.handle(), handle);
+    std::vector<VkSpecializationMapEntry> entries;
+    for (uint32_t i = 0; i < desc.specialization.size(); ++i)
+        entries.push_back({i, static_cast<uint32_t>(i * sizeof(uint32_t)), sizeof(uint32_t)});
+    const VkSpecializationInfo constants = {static_cast<uint32_t>(entries.size()), entries.data(),
+                                            desc.specialization.size() * sizeof(uint32_t), desc.specialization.data()};
     auto info = describe<VkComputePipelineCreateInfo>(VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO);
     info.stage.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO;
     info.stage.stage = VK_SHADER_STAGE_COMPUTE_BIT;
     info.stage.module = shader.get();
     info.stage.pName = "main";
+    info.stage.pSpecializationInfo = &constants;
     info.layout = layout;
     VkPipeline pipeline = VK_NULL_HANDLE;
     check(vkCreateComputePipelines(device.handle(), VK_NULL_HANDLE, 1, &info, nullptr, &pipeline),

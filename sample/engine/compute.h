@@ -12,6 +12,7 @@ struct ComputeDesc
     std::vector<VkDescriptorType> bindings; // element i is binding i of set 0
     uint32_t pushConstantByteSize = 0;      // [0; 128], multiple of 4
     uint32_t setCount = 1;                  // descriptor sets the pipeline can hand out
+    std::vector<uint32_t> specialization;   // element i is the 32-bit constant with id i
 };
 
 /// What a binding is given; the field that counts follows from the binding's type.

@@ -1,0 +1,215 @@
+#include "path_tracer.h"
+
+#include "engine/transfer.h"
+#include "nrd_sample_shaders.h"
+#include "shaders/trace_constants.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace sample
+{
+namespace
+{
+constexpr uint32_t kSlotCount = 8;
+constexpr uint32_t kSceneBindings = 10; // constants and the texel buffers
+constexpr uint32_t kGroupSize = 8;      // pixels per side
+
+Shader shaderOf(uint32_t mode)
+{
+    constexpr Shader kShaders[] = {Shader::TraceFrame, Shader::TraceReference, Shader::TracePlain};
+    return kShaders[mode];
+}
+
+bool usesTextures(const Scene& scene)
+{
+    if (!scene.textures.empty()) return true;
+    for (const Mesh& mesh : scene.meshes)
+        for (const Primitive& p : mesh.primitives)
+            if (!p.colors.empty()) return true;
+    return false;
+}
+
+// Same order as the constant ids in scene_data.glsl.
+std::vector<uint32_t> specializationOf(const Scene& scene, bool hasEnvironment)
+{
+    const auto any = [](const auto& list, auto predicate) { return std::any_of(list.begin(), list.end(), predicate); };
+    const bool hasMask = any(scene.materials, [](const Material& m) { return m.alphaCutoff > 0.0f; });
+    const bool hasEmission = any(scene.materials, [](const Material& m) { return glm::length(m.emission) > 0.0f; });
+    const bool hasPunctual = any(scene.nodes, [](const Node& n) { return n.light != kNone; });
+    return {usesTextures(scene), hasMask, hasEmission, hasPunctual, hasEnvironment, !scene.channels.empty()};
+}
+
+uint32_t environmentLight(const SceneLights& lights)
+{
+    const auto found = std::find_if(lights.lights.begin(), lights.lights.end(),
+                                    [](const SceneLight& light) { return light.kind == LightKind::Environment; });
+    return static_cast<uint32_t>(found - lights.lights.begin());
+}
+} // namespace
+
+PathTracer::PathTracer(const engine::Device& device, const Scene& scene, const Environment* environment,
+                       const TracerDesc& desc)
+    : m_device(device), m_desc(desc)
+{
+    for (engine::Image FrameImages::*image :
+         {&FrameImages::normalRoughness, &FrameImages::diffuse, &FrameImages::specular, &FrameImages::diffuseDirection,
+          &FrameImages::specularDirection, &FrameImages::diffuseFactor, &FrameImages::specularFactor,
+          &FrameImages::direct})
+        m_images.*image = createImage("trace signal", VK_FORMAT_R16G16B16A16_SFLOAT);
+    m_images.viewZ = createImage("trace viewZ", VK_FORMAT_R32_SFLOAT);
+    m_images.motion = createImage("trace motion", VK_FORMAT_R32G32B32A32_SFLOAT);
+    m_sumDiffuse = createImage("reference diffuse", VK_FORMAT_R32G32B32A32_SFLOAT);
+    m_sumSpecular = createImage("reference specular", VK_FORMAT_R32G32B32A32_SFLOAT);
+
+    const PackedTexels texels = packTexels(scene);
+    engine::BufferDesc texelDesc;
+    texelDesc.name = "texels";
+    texelDesc.usage = VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT;
+    texelDesc.texelFormat = VK_FORMAT_R8G8B8A8_UNORM;
+    if (texels.rgba.size() / 4 > device.properties().limits.maxTexelBufferElements)
+        throw SceneError("the textures of '" + scene.name + "' have more texels than the device can address");
+    m_texels = engine::createFilled(device, texelDesc, std::as_bytes(std::span(texels.rgba)));
+    store(m_materials, "materials", packMaterials(scene, texels));
+    store(m_environment, "environment", environment ? packEnvironment(*environment) : Words(2, glm::uvec4(0)));
+    if (environment) m_environmentConstants = glm::uvec4(environment->width, environment->height, 0, 0);
+    texelDesc.name = "energy table";
+    texelDesc.texelFormat = VK_FORMAT_R32G32B32A32_SFLOAT;
+    const std::vector<glm::vec4> energy = packEnergyTable();
+    m_energy = engine::createFilled(device, texelDesc, std::as_bytes(std::span(energy)));
+    engine::BufferDesc constants;
+    constants.name = "trace constants";
+    constants.byteSize = sizeof(TraceConstants);
+    constants.usage = VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT;
+    constants.isHostVisible = true;
+    for (uint32_t i = 0; i < kSlotCount; ++i) m_constants.emplace_back(device, constants);
+    m_frame = createProgram(scene, environment, 0);
+    m_reference = createProgram(scene, environment, 1);
+    m_plain = createProgram(scene, environment, 2);
+}
+
+engine::Image PathTracer::createImage(const char* name, VkFormat format) const
+{
+    engine::ImageDesc desc;
+    desc.name = name;
+    desc.width = m_desc.width;
+    desc.height = m_desc.height;
+    desc.format = format;
+    return engine::Image(m_device, desc);
+}
+
+PathTracer::Program PathTracer::createProgram(const Scene& scene, const Environment* environment, uint32_t mode) const
+{
+    const ShaderBlob blob = shaderBlob(shaderOf(mode));
+    engine::ComputeDesc desc;
+    desc.name = blob.name;
+    desc.words = blob.words;
+    desc.byteSize = blob.byteSize;
+    desc.bindings.assign(kSceneBindings, VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER);
+    desc.bindings[0] = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
+    desc.bindings.resize(kSceneBindings + (mode == 0 ? 10 : 2), VK_DESCRIPTOR_TYPE_STORAGE_IMAGE);
+    desc.setCount = kSlotCount;
+    desc.specialization = specializationOf(scene, environment != nullptr);
+    return {engine::ComputePipeline(m_device, desc), std::vector<VkDescriptorSet>(kSlotCount, VK_NULL_HANDLE)};
+}
+
+// A texel buffer grows by a quarter more than needed, so that a moving scene seldom replaces it.
+void PathTracer::store(engine::Buffer& buffer, const char* name, const Words& words)
+{
+    if (words.size() > m_device.properties().limits.maxTexelBufferElements)
+        throw SceneError(std::string("the scene's ") + name + " are more than the device can address");
+    const auto bytes = std::as_bytes(std::span(words));
+    if (buffer.byteSize() < bytes.size())
+    {
+        engine::BufferDesc desc;
+        desc.name = name;
+        desc.byteSize = bytes.size() + bytes.size() / 64 * 16;
+        desc.usage = VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT;
+        desc.texelFormat = VK_FORMAT_R32G32B32A32_UINT;
+        buffer = engine::Buffer(m_device, desc);
+    }
+    engine::upload(m_device, buffer, bytes);
+}
+
+void PathTracer::setPose(const Scene& scene, const ScenePose& pose, const Environment* environment)
+{
+    m_device.waitIdle();
+    const Bvh bvh = m_builder.build(trianglePositions(pose));
+    const SceneLights lights = collectLights(scene, pose, environment);
+    const PackedGeometry geometry = packGeometry(pose, bvh, lights);
+    store(m_nodes, "hierarchy nodes", geometry.nodes);
+    store(m_triangles, "triangles", geometry.triangles);
+    store(m_vertices, "vertices", geometry.vertices);
+    store(m_motion, "motion vectors", geometry.motion);
+    store(m_lights, "lights", packLights(lights, bvh));
+    m_nodeCount = bvh.nodeCount;
+    m_lightCount = static_cast<uint32_t>(lights.lights.size());
+    m_environmentConstants.z = environmentLight(lights);
+    m_sceneRadius = pose.bounds().radius();
+    m_denoisingRange = std::max(1000.0f, 100.0f * m_sceneRadius);
+}
+
+void PathTracer::recordFrame(VkCommandBuffer cmd, const View& view)
+{
+    FrameImages& i = m_images;
+    const std::vector<engine::Image*> targets = {&i.viewZ,
+                                                 &i.normalRoughness,
+                                                 &i.motion,
+                                                 &i.diffuse,
+                                                 &i.specular,
+                                                 &i.diffuseDirection,
+                                                 &i.specularDirection,
+                                                 &i.diffuseFactor,
+                                                 &i.specularFactor,
+                                                 &i.direct};
+    record(cmd, m_frame, targets, view, glm::uvec4(m_desc.seed, view.frameIndex, 1, 1));
+}
+
+void PathTracer::recordReference(VkCommandBuffer cmd, const View& view, const ReferenceBatch& batch)
+{
+    // Another seed than the frames', so that a frame is no part of its own reference.
+    record(cmd, m_reference, {&m_sumDiffuse, &m_sumSpecular}, view,
+           glm::uvec4(m_desc.seed + 0x5EED, batch.first, batch.count, batch.first == 0));
+}
+
+void PathTracer::recordPlain(VkCommandBuffer cmd, const View& view, const ReferenceBatch& batch)
+{
+    record(cmd, m_plain, {&m_sumDiffuse, &m_sumSpecular}, view,
+           glm::uvec4(m_desc.seed + 0xBEEF, batch.first, batch.count, batch.first == 0));
+}
+
+void PathTracer::record(VkCommandBuffer cmd, Program& program, const std::vector<engine::Image*>& targets,
+                        const View& view, const glm::uvec4& sampling)
+{
+    m_slot = (m_slot + 1) % kSlotCount;
+    TraceConstants c = {};
+    c.worldToView = view.camera.worldToView;
+    c.viewToWorld = glm::inverse(view.camera.worldToView);
+    c.frustum = glm::vec4(view.camera.tanHalfFovX, view.camera.tanHalfFovY,
+                          2.0f * view.camera.tanHalfFovY / float(m_desc.height), -2.0f * m_denoisingRange);
+    // Twenty units in the last place of a position, and a share of the scene for surfaces near the origin.
+    c.jitter = glm::vec4(view.jitter, 2.5e-6f, 1e-6f * m_sceneRadius);
+    c.hitDistanceParameters = glm::vec4(m_desc.hitDistanceParameters, m_desc.maxRadiance);
+    c.size = glm::uvec4(m_desc.width, m_desc.height, m_nodeCount, m_lightCount);
+    c.environment = m_environmentConstants;
+    c.environment.w = m_desc.maxBounces;
+    c.sampling = sampling;
+    std::memcpy(m_constants[m_slot].mapped().data(), &c, sizeof(c));
+
+    std::vector<engine::Binding> bindings = {m_constants[m_slot], m_nodes,  m_triangles, m_vertices,    m_motion,
+                                             m_materials,         m_texels, m_lights,    m_environment, m_energy};
+    for (engine::Image* target : targets)
+    {
+        transition(cmd, *target, engine::kStorage);
+        bindings.emplace_back(*target);
+    }
+    VkDescriptorSet& set = program.sets[m_slot];
+    if (set)
+        program.pipeline.writeSet(set, bindings);
+    else
+        set = program.pipeline.createSet(bindings);
+    const uint32_t groups =
+        engine::groupCount(m_desc.width, kGroupSize) * engine::groupCount(m_desc.height, kGroupSize);
+    program.pipeline.dispatch(cmd, set, {}, {groups, 1, 1});
+}
+} // namespace sample

@@ -1,0 +1,108 @@
+// The path tracer: a scene and a camera in, the signals of one noisy frame (or of its reference) out, all on the
+// device.
+#pragma once
+#include "camera.h"
+#include "engine/compute.h"
+#include "scene_pack.h"
+
+namespace sample
+{
+struct TracerDesc
+{
+    uint32_t width = 0;      // pixels, > 0
+    uint32_t height = 0;     // pixels, > 0
+    uint32_t seed = 0;       // other seeds, other noise
+    uint32_t maxBounces = 4; // [1; 64], rays after the primary one
+    // A single path's demodulated radiance is scaled down to this in its brightest channel: the only bias there is.
+    float maxRadiance = 250.0f;
+    glm::vec3 hitDistanceParameters = glm::vec3(3.0f, 0.1f, 20.0f); // A (world units), B, C
+};
+
+/// What one frame leaves behind; formats and meaning as in the capture format, unless noted.
+struct FrameImages
+{
+    engine::Image viewZ;           // R32F, negative; sky: -2 * denoisingRange
+    engine::Image normalRoughness; // RGBA16F
+    engine::Image motion;          // RGBA32F, .w: material id
+    engine::Image diffuse;         // RGBA16F, .w: hit distance in world units
+    engine::Image specular;
+    engine::Image diffuseDirection; // RGBA16F
+    engine::Image specularDirection;
+    engine::Image diffuseFactor;
+    engine::Image specularFactor;
+    engine::Image direct; // RGBA16F
+};
+
+/// Where and when a frame is traced from.
+struct View
+{
+    Camera camera;
+    glm::vec2 jitter = glm::vec2(0.0f); // pixels, [-0.5; 0.5]
+    uint32_t frameIndex = 0;
+};
+
+/// Samples that are added to the sums of a reference in one go.
+struct ReferenceBatch
+{
+    uint32_t first = 0; // index of the first; 0 clears the sums
+    uint32_t count = 1;
+};
+
+class PathTracer
+{
+public:
+    /// `environment` may be null; it is not kept. The scene's materials and textures are uploaded here.
+    PathTracer(const engine::Device& device, const Scene& scene, const Environment* environment,
+               const TracerDesc& desc);
+
+    /// Rebuilds hierarchy, geometry and lights for a pose. Waits for the device: nothing that reads them may be
+    /// pending.
+    void setPose(const Scene& scene, const ScenePose& pose, const Environment* environment);
+
+    /// Records one noisy frame into images(), which are left in storage state. At most 8 recordings may be pending.
+    void recordFrame(VkCommandBuffer cmd, const View& view);
+
+    /// Adds samples to sumDiffuse() and sumSpecular(): demodulated radiance and in .w normalised hit distance. With
+    /// the same view as a frame, their mean is the expectation of that frame.
+    void recordReference(VkCommandBuffer cmd, const View& view, const ReferenceBatch& batch);
+
+    /// Adds plain paths, without split and demodulation, to sumDiffuse(): what composing must agree with.
+    void recordPlain(VkCommandBuffer cmd, const View& view, const ReferenceBatch& batch);
+
+    FrameImages& images() { return m_images; }
+    engine::Image& sumDiffuse() { return m_sumDiffuse; }
+    engine::Image& sumSpecular() { return m_sumSpecular; }
+    const TracerDesc& desc() const { return m_desc; }
+
+    /// Surfaces further away count as sky, in world units; follows the size of the scene.
+    float denoisingRange() const { return m_denoisingRange; }
+
+private:
+    struct Program
+    {
+        engine::ComputePipeline pipeline;
+        std::vector<VkDescriptorSet> sets; // one per constants slot
+    };
+    Program createProgram(const Scene& scene, const Environment* environment, uint32_t mode) const;
+    void record(VkCommandBuffer cmd, Program& program, const std::vector<engine::Image*>& targets, const View& view,
+                const glm::uvec4& sampling);
+    void store(engine::Buffer& buffer, const char* name, const Words& words);
+    engine::Image createImage(const char* name, VkFormat format) const;
+
+    const engine::Device& m_device;
+    TracerDesc m_desc;
+    BvhBuilder m_builder;
+    FrameImages m_images;
+    engine::Image m_sumDiffuse, m_sumSpecular;
+    engine::Buffer m_nodes, m_triangles, m_vertices, m_motion, m_materials, m_texels, m_lights, m_environment, m_energy;
+    std::vector<engine::Buffer> m_constants; // ring
+    uint32_t m_slot = 0;
+    Program m_frame, m_reference, m_plain;
+    bool m_hasMotion = false;
+    float m_denoisingRange = 1000.0f;
+    float m_sceneRadius = 1.0f;
+    glm::uvec4 m_environmentConstants = glm::uvec4(0); // size, light index
+    uint32_t m_nodeCount = 0;
+    uint32_t m_lightCount = 0;
+};
+} // namespace sample

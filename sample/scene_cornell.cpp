@@ -1,0 +1,168 @@
+#include "scene_cornell.h"
+
+#include <cmath>
+
+namespace sample
+{
+namespace
+{
+constexpr float kHalfWidth = 2.6f; // of the room, metres
+constexpr float kHeight = 3.4f;
+constexpr float kHalfDepth = 3.4f;
+constexpr float kDuration = 8.0f;
+constexpr int kKeyCount = 65;
+constexpr float kTwoPi = 6.28318531f;
+
+enum MaterialIndex
+{
+    White,
+    Red,
+    Green,
+    Floor,
+    Metal,
+    Plastic,
+    Lamp
+};
+
+Material makeMaterial(const char* name, const glm::vec3& color, float metallic, float roughness)
+{
+    Material m;
+    m.name = name;
+    m.baseColor = glm::vec4(color, 1.0f);
+    m.metallic = metallic;
+    m.roughness = roughness;
+    return m;
+}
+
+std::vector<Material> makeMaterials()
+{
+    std::vector<Material> materials = {
+        makeMaterial("white", glm::vec3(0.73f), 0.0f, 0.9f),
+        makeMaterial("red", glm::vec3(0.63f, 0.06f, 0.05f), 0.0f, 0.9f),
+        makeMaterial("green", glm::vec3(0.12f, 0.45f, 0.09f), 0.0f, 0.9f),
+        makeMaterial("floor", glm::vec3(0.55f, 0.52f, 0.48f), 0.0f, 0.35f),
+        makeMaterial("metal", glm::vec3(0.95f, 0.78f, 0.55f), 1.0f, 0.2f),
+        makeMaterial("plastic", glm::vec3(0.15f, 0.3f, 0.65f), 0.0f, 0.15f),
+        makeMaterial("lamp", glm::vec3(0.8f), 0.0f, 1.0f),
+    };
+    materials[Lamp].emission = glm::vec3(17.0f, 13.5f, 9.5f);
+    return materials;
+}
+
+// Counter-clockwise seen from the side the normal points to.
+void addQuad(Primitive& p, const glm::vec3& origin, const glm::vec3& u, const glm::vec3& v)
+{
+    const auto first = static_cast<uint32_t>(p.positions.size());
+    const glm::vec3 normal = glm::normalize(glm::cross(u, v));
+    for (const glm::vec3& corner : {origin, origin + u, origin + u + v, origin + v})
+    {
+        p.positions.push_back(corner);
+        p.normals.push_back(normal);
+    }
+    for (uint32_t i : {0u, 1u, 2u, 0u, 2u, 3u}) p.indices.push_back(first + i);
+}
+
+Primitive makeQuad(int material, const glm::vec3& origin, const glm::vec3& u, const glm::vec3& v)
+{
+    Primitive p;
+    p.material = material;
+    addQuad(p, origin, u, v);
+    return p;
+}
+
+// Standing on y = 0 around the origin.
+Primitive makeBlock(int material, const glm::vec3& size)
+{
+    const glm::vec3 x(size.x, 0, 0), y(0, size.y, 0), z(0, 0, size.z);
+    const glm::vec3 low = -0.5f * (x + z), high = low + x + y + z;
+    Primitive p;
+    p.material = material;
+    addQuad(p, low, x, z);    // bottom
+    addQuad(p, low, y, x);    // back
+    addQuad(p, low, z, y);    // left
+    addQuad(p, high, -z, -x); // top
+    addQuad(p, high, -x, -y); // front
+    addQuad(p, high, -y, -z); // right
+    return p;
+}
+
+Mesh makeRoom()
+{
+    const glm::vec3 low(-kHalfWidth, 0.0f, -kHalfDepth), high(kHalfWidth, kHeight, kHalfDepth);
+    const glm::vec3 x(2 * kHalfWidth, 0, 0), y(0, kHeight, 0), z(0, 0, 2 * kHalfDepth);
+    Mesh mesh;
+    mesh.primitives.push_back(makeQuad(Floor, low, z, x));
+    mesh.primitives.push_back(makeQuad(White, high, -x, -z)); // ceiling
+    mesh.primitives.push_back(makeQuad(White, low, x, y));    // back
+    mesh.primitives.push_back(makeQuad(White, high, -y, -x)); // behind the camera
+    mesh.primitives.push_back(makeQuad(Red, low, y, z));
+    mesh.primitives.push_back(makeQuad(Green, high, -z, -y));
+    const glm::vec3 corner(-0.7f, kHeight - 0.02f, -1.3f);
+    mesh.primitives.push_back(makeQuad(Lamp, corner, glm::vec3(1.4f, 0, 0), glm::vec3(0, 0, 1.0f)));
+    return mesh;
+}
+
+// Keys of a smooth closed motion; `value` gives the numbers at a phase in [0; 2 pi].
+template <class F> AnimationChannel makeChannel(int node, AnimationPath path, uint32_t valueSize, F value)
+{
+    AnimationChannel channel;
+    channel.node = node;
+    channel.path = path;
+    channel.valueSize = valueSize;
+    for (int i = 0; i < kKeyCount; ++i)
+    {
+        const float phase = kTwoPi * float(i) / float(kKeyCount - 1);
+        channel.times.push_back(kDuration * float(i) / float(kKeyCount - 1));
+        const auto numbers = value(phase);
+        for (uint32_t c = 0; c < valueSize; ++c) channel.values.push_back(numbers[int(c)]);
+    }
+    return channel;
+}
+
+glm::vec4 turnAboutY(float angle) { return {0.0f, std::sin(0.5f * angle), 0.0f, std::cos(0.5f * angle)}; }
+
+Node makeNode(const char* name, int mesh, const glm::vec3& translation, float angle)
+{
+    Node node;
+    node.name = name;
+    node.mesh = mesh;
+    node.translation = translation;
+    const glm::vec4 q = turnAboutY(angle);
+    node.rotation = glm::quat(q.w, q.x, q.y, q.z);
+    return node;
+}
+} // namespace
+
+Scene makeCornellBox()
+{
+    Scene scene;
+    scene.name = "cornell box";
+    scene.materials = makeMaterials();
+    scene.meshes.push_back(makeRoom());
+    scene.meshes.push_back({{makeBlock(Metal, glm::vec3(1.15f, 2.1f, 1.15f))}, {}});
+    scene.meshes.push_back({{makeBlock(Plastic, glm::vec3(1.0f, 1.0f, 1.0f))}, {}});
+    scene.nodes.push_back(makeNode("room", 0, glm::vec3(0.0f), 0.0f));
+    scene.nodes.push_back(makeNode("metal block", 1, glm::vec3(-0.95f, 0.0f, -1.35f), 0.35f));
+    scene.nodes.push_back(makeNode("plastic block", 2, glm::vec3(0.95f, 0.0f, -0.25f), -0.3f));
+    scene.nodes.push_back(makeNode("camera", kNone, glm::vec3(0.0f, 1.6f, 3.2f), 0.0f));
+    scene.nodes.back().camera = 0;
+    scene.cameras.push_back({0.82f, 0.05f});
+    scene.channels.push_back(makeChannel(2, AnimationPath::Translation, 3,
+                                         [](float phase) {
+                                             return glm::vec3(0.95f + 0.45f * std::sin(phase), 0.0f,
+                                                              -0.25f + 0.3f * (1.0f - std::cos(phase)));
+                                         }));
+    scene.channels.push_back(makeChannel(2, AnimationPath::Rotation, 4,
+                                         [](float phase) { return turnAboutY(-0.3f + 0.5f * std::sin(phase)); }));
+    scene.channels.push_back(makeChannel(3, AnimationPath::Translation, 3,
+                                         [](float phase)
+                                         {
+                                             return glm::vec3(0.55f * std::sin(phase), 1.6f + 0.1f * std::sin(phase),
+                                                              3.2f - 0.25f * (1.0f - std::cos(phase)));
+                                         }));
+    scene.channels.push_back(
+        makeChannel(3, AnimationPath::Rotation, 4, [](float phase) { return turnAboutY(0.12f * std::sin(phase)); }));
+    scene.duration = kDuration;
+    return scene;
+}
+} // namespace sample

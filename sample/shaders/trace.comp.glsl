@@ -1,0 +1,81 @@
+// One noisy frame (MODE 0), or more samples added to the sums of its reference (MODE 1), or plain paths (MODE 2).
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "path.glsl"
+
+layout(local_size_x = 64) in;
+
+#if MODE == 0
+layout(set = 0, binding = 10) uniform writeonly image2D gOut_ViewZ;
+layout(set = 0, binding = 11) uniform writeonly image2D gOut_NormalRoughness;
+layout(set = 0, binding = 12) uniform writeonly image2D gOut_Motion; // .w: material
+layout(set = 0, binding = 13) uniform writeonly image2D gOut_Diffuse; // .w: hit distance
+layout(set = 0, binding = 14) uniform writeonly image2D gOut_Specular;
+layout(set = 0, binding = 15) uniform writeonly image2D gOut_DiffuseDirection;
+layout(set = 0, binding = 16) uniform writeonly image2D gOut_SpecularDirection;
+layout(set = 0, binding = 17) uniform writeonly image2D gOut_DiffuseFactor;
+layout(set = 0, binding = 18) uniform writeonly image2D gOut_SpecularFactor;
+layout(set = 0, binding = 19) uniform writeonly image2D gOut_Direct;
+#else
+layout(set = 0, binding = 10, rgba32f) uniform image2D gSum_Diffuse; // .w: normalised hit distance
+layout(set = 0, binding = 11, rgba32f) uniform image2D gSum_Specular;
+#endif
+
+// A group of 64 is 8 x 8 pixels; eight lanes that run together are 4 x 2 of them.
+ivec2 pixelOf(uint group, uint lane)
+{
+    uint columns = (g.size.x + 7u) / 8u;
+    uvec2 tile = uvec2(group % columns, group / columns);
+    return ivec2(tile * 8u + uvec2((lane & 3u) | ((lane >> 1) & 4u), ((lane >> 2) & 1u) | ((lane >> 3) & 6u)));
+}
+
+vec3 primaryDirection(ivec2 pixel)
+{
+    vec2 uv = (vec2(pixel) + 0.5 + g.jitter.xy) / vec2(g.size.xy);
+    vec3 view = vec3((2.0 * uv.x - 1.0) * g.frustum.x, (1.0 - 2.0 * uv.y) * g.frustum.y, -1.0);
+    return normalize(mat3(g.viewToWorld) * view);
+}
+
+void main()
+{
+    ivec2 pixel = pixelOf(gl_WorkGroupID.x, gl_LocalInvocationIndex);
+    if (any(greaterThanEqual(uvec2(pixel), g.size.xy))) return;
+    vec3 origin = g.viewToWorld[3].xyz;
+    vec3 direction = primaryDirection(pixel);
+    Hit hit = traceRay(origin, direction, 1e30, false);
+    bool isSky = hit.triangle == kNoHit;
+    hit.triangle = isSky ? 0 : hit.triangle;
+    float width = isSky ? 0.0 : g.frustum.z * hit.t;
+    Surface s = fetchSurface(hit, direction, width);
+    float viewZ = isSky ? g.frustum.w : (g.worldToView * vec4(s.position, 1.0)).z;
+    vec3 diffuseFactor, specularFactor;
+    demodulationFactors(s, diffuseFactor, specularFactor);
+    vec3 direct = isSky ? (kHasEnvironment ? environmentSmooth(direction) : vec3(0.0)) : s.emission;
+    uint seed = hash(uint(pixel.y) * g.size.x + uint(pixel.x) + g.sampling.x * 0x9E3779B9u);
+
+    PathSums sums = PathSums(vec3(0.0), vec3(0.0), 0.0, 0.0, 0.0, 0.0, vec3(0.0), vec3(0.0));
+    if (!isSky) sums = tracePaths(s, viewZ, width, diffuseFactor, specularFactor, seed, MODE != 2);
+#if MODE == 0
+    vec3 motion = kHasMotion && !isSky ? fetchMotion(hit) : vec3(0.0);
+    vec3 toSurface = isSky ? vec3(0.0) : vec3(1.0);
+    imageStore(gOut_ViewZ, pixel, vec4(viewZ));
+    imageStore(gOut_NormalRoughness, pixel, isSky ? vec4(-direction, 1.0) : vec4(s.normal, s.roughness));
+    imageStore(gOut_Motion, pixel, vec4(motion, isSky ? 0.0 : float(s.material & 255u)));
+    imageStore(gOut_Diffuse, pixel, vec4(sums.diffuse, sums.diffuseDistance));
+    imageStore(gOut_Specular, pixel, vec4(sums.specular, sums.specularDistance));
+    imageStore(gOut_DiffuseDirection, pixel, vec4(sums.diffuseDirection, 0.0));
+    imageStore(gOut_SpecularDirection, pixel, vec4(sums.specularDirection, 0.0));
+    imageStore(gOut_DiffuseFactor, pixel, vec4(diffuseFactor * toSurface, 0.0));
+    imageStore(gOut_SpecularFactor, pixel, vec4(specularFactor * toSurface, 0.0));
+    imageStore(gOut_Direct, pixel, vec4(direct, 0.0));
+#else
+    vec4 diffuse = vec4(sums.diffuse, sums.diffuseHit), specular = vec4(sums.specular, sums.specularHit);
+    if (g.sampling.w == 0u)
+    {
+        diffuse += imageLoad(gSum_Diffuse, pixel);
+        specular += imageLoad(gSum_Specular, pixel);
+    }
+    imageStore(gSum_Diffuse, pixel, diffuse);
+    imageStore(gSum_Specular, pixel, specular);
+#endif
+}
