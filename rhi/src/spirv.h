@@ -10,6 +10,7 @@ struct SpirvBinding
 {
     uint32_t set = 0;
     uint32_t binding = 0;
+    bool isReadOnly = false; // declared readonly: images and storage buffers
 };
 
 struct SpirvInfo
