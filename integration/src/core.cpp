@@ -37,18 +37,6 @@ const IntegrationCreationDesc& checked(const IntegrationCreationDesc& desc)
     return desc;
 }
 
-// The library's message of a failed creation: there is no instance to ask then.
-struct MessageCapture
-{
-    char text[512] = "the descriptor library could not create its instance";
-
-    static void report(void* userArg, Result, const char* text)
-    {
-        MessageCapture& self = *static_cast<MessageCapture*>(userArg);
-        std::snprintf(self.text, sizeof(self.text), "%s", text);
-    }
-};
-
 uint32_t maxResourceCount(const InstanceDesc& instance)
 {
     uint32_t result = 0;
@@ -78,6 +66,12 @@ CommonSettings typicalSettings(uint32_t width, uint32_t height)
 }
 } // namespace
 
+void Core::CreationMessage::report(void* userArg, Result, const char* text)
+{
+    CreationMessage& self = *static_cast<CreationMessage*>(userArg);
+    std::snprintf(self.text, sizeof(self.text), "%s", text);
+}
+
 Core::Core(rhi::Device& device, const IntegrationCreationDesc& desc, const InstanceCreationDesc& instanceDesc)
     : m_device(device), m_name(desc.name ? desc.name : "NRD"), m_desc(checked(desc)), m_instanceDesc(instanceDesc),
       m_instance(createInstance()), m_pipelines(device, m_name.c_str(), description().pipelinesNum), m_views(device)
@@ -98,13 +92,12 @@ UniqueInstance Core::createInstance()
     std::vector<DenoiserDesc> denoisers;
     for (const DenoiserState& denoiser : m_denoisers) denoisers.push_back(denoiser.desc);
 
-    MessageCapture capture;
     InstanceCreationDesc desc = m_instanceDesc;
     if (desc.denoisers || !denoisers.empty()) desc.denoisers = denoisers.data();
-    desc.messageSink = {MessageCapture::report, &capture};
+    desc.messageSink = {CreationMessage::report, &m_creationMessage};
     Instance* instance = nullptr;
     const Result result = CreateInstance(desc, instance);
-    if (result != Result::SUCCESS) throw Refusal(result, capture.text);
+    if (result != Result::SUCCESS) throw Refusal(result, m_creationMessage.text);
     return UniqueInstance(instance);
 }
 
@@ -126,15 +119,17 @@ void Core::createFrameResources()
     m_timer.emplace(m_device, m_desc.name, timedPasses, m_desc.framesInFlight);
     m_planner.emplace(maxResourceCount(instance));
 
-    const std::string name = sentence("%s descriptors", m_desc.name);
     rhi::DescriptorPoolDesc pool;
     pool.sets = std::max(totals.setsMaxNum * calls, 1u);
     pool.sampledTextures = totals.texturesMaxNum * calls;
     pool.storageTextures = totals.storageTexturesMaxNum * calls;
     pool.storageBuffers = totals.storageBuffersMaxNum * calls;
-    pool.name = name.c_str();
     for (uint32_t i = 0; i < m_desc.framesInFlight; i++)
+    {
+        const std::string name = sentence("%s descriptors %u", m_desc.name, i);
+        pool.name = name.c_str();
         m_descriptorPools.push_back(m_device.createDescriptorPool(pool));
+    }
     m_wrappedCommands.resize(kWrappedCommandBuffers);
 }
 

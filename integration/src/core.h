@@ -46,6 +46,12 @@ private:
         uint64_t lastFrame = 0;                                                   // that it was denoised in
         bool isHistoryBroken = false; // its last request was planned, but not recorded
     };
+    // Of a failed creation there is no instance to ask; an instance keeps its sink for life.
+    struct CreationMessage
+    {
+        char text[512] = "the descriptor library could not create its instance";
+        static void report(void* userArg, Result result, const char* text);
+    };
     struct WrappedCommands
     {
         VkCommandBuffer handle = VK_NULL_HANDLE;
@@ -71,6 +77,7 @@ private:
     IntegrationCreationDesc m_desc;
     InstanceCreationDesc m_instanceDesc;
     std::vector<DenoiserState> m_denoisers;
+    CreationMessage m_creationMessage;
     UniqueInstance m_instance;
 
     Pipelines m_pipelines;
