@@ -1,0 +1,17 @@
+// The library's settings for a frame of a capture.
+#pragma once
+#include "capture.h"
+
+#include <nrd/settings.h>
+
+namespace sample
+{
+// Camera, jitter, sizes, time and history of frame `frameIndex`; the rest at its defaults. Frames are in order.
+nrd::CommonSettings commonSettingsOf(const CaptureInfo& info, size_t frameIndex);
+
+// The capture's A, B and C.
+nrd::HitDistanceParameters hitDistanceParametersOf(const CaptureInfo& info);
+
+// World position of the camera of a rigid world-to-view matrix.
+std::array<double, 3> cameraPositionOf(const Matrix& worldToView);
+} // namespace sample

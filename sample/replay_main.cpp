@@ -1,0 +1,234 @@
+// nrd-replay: denoises a recorded capture and says how far the result is from its references.
+#include "replay_gpu.h"
+#include "replay_output.h"
+
+#include <CLI/CLI.hpp>
+
+#include <cstdio>
+#include <iostream>
+#include <unistd.h>
+
+namespace
+{
+using namespace sample;
+
+constexpr size_t kFirstTimedFrame = 8; // warm-up before it
+
+struct Options
+{
+    std::string capture;
+    std::string denoiser;
+    std::string out;
+    std::string report;
+    std::string peer;
+    std::string device;
+    std::vector<std::string> settings;
+    std::vector<std::string> summary;
+    size_t frameCount = 0; // 0: all
+    bool validation = false;
+    bool isDeviceListWanted = false;
+};
+
+std::string versionText()
+{
+    const nrd::LibraryDesc& library = nrd::GetLibraryDesc();
+    return "nrd-replay " + std::to_string(library.versionMajor) + "." + std::to_string(library.versionMinor) + "." +
+           std::to_string(library.versionBuild);
+}
+
+void declareOptions(CLI::App& app, Options& options)
+{
+    app.add_option("capture", options.capture, "Folder of the capture");
+    app.add_option("--denoiser", options.denoiser, "Name of the denoiser, or NONE to measure the noisy input only");
+    app.add_option("--out", options.out, "Folder for denoised_NNNN.exr and PNGs of the composed pictures");
+    app.add_option("--report", options.report, "File for the JSON report");
+    app.add_option("--peer", options.peer, "File with recorded figures, printed beside ours");
+    app.add_option("--set", options.settings, "key=value: any field of the common or the denoiser's settings")
+        ->take_all();
+    app.add_option("--frames", options.frameCount, "Replay only so many frames")->check(CLI::PositiveNumber);
+    app.add_option("--summary", options.summary, "Print one table of these reports instead of replaying");
+    app.add_option("--device", options.device, "Number or part of the name of the device");
+    app.add_flag("--list-devices", options.isDeviceListWanted, "List the Vulkan devices");
+    app.add_flag("--validation", options.validation, "Turn the validation layers on; a message makes the run fail");
+    app.set_version_flag("--version", versionText(), "Print the version");
+}
+
+// The file given, else the recorded sequences of the test data when they are there; empty: none.
+std::filesystem::path peerFile(const Options& options)
+{
+    if (!options.peer.empty()) return options.peer;
+    const std::filesystem::path file = std::filesystem::path(NRD_TEST_DATA) / "peer" / "nrd-4.17.4-sequences.json";
+    std::error_code error;
+    return std::filesystem::is_regular_file(file, error) ? file : std::filesystem::path();
+}
+
+std::optional<PeerFigures> peerOf(const Options& options, const ReplayReport& report)
+{
+    const std::filesystem::path file = peerFile(options);
+    return file.empty() ? std::nullopt : readPeer(file, report.capture, report.denoiser);
+}
+
+void showProgress(size_t done, size_t total)
+{
+    const bool isTerminal = isatty(STDERR_FILENO) != 0;
+    if (isTerminal)
+        std::fprintf(stderr, "\r%zu of %zu frames%s", done, total, done == total ? "\n" : "");
+    else if (done % 16 == 0 || done == total)
+        std::fprintf(stderr, "%zu of %zu frames\n", done, total);
+}
+
+const ReplayDenoiser& chosenDenoiser(const Options& options)
+{
+    if (options.denoiser.empty()) throw SettingError("--denoiser is missing; expected the name of a denoiser, or NONE");
+    if (const ReplayDenoiser* denoiser = findDenoiser(options.denoiser)) return *denoiser;
+    std::string text = "--denoiser " + options.denoiser + ": expected one of";
+    for (const ReplayDenoiser& denoiser : replayDenoisers()) text += std::string(" ") + denoiser.name;
+    throw SettingError(text);
+}
+
+class Replay
+{
+public:
+    Replay(const Options& options, const Capture& capture, const ReplayDenoiser& denoiser)
+        : m_options(options), m_capture(capture), m_measurer(capture.info(), signalSetOf(denoiser))
+    {
+        m_report.capture = capture.info().name;
+        m_report.denoiser = denoiser.name;
+        m_report.width = capture.info().width;
+        m_report.height = capture.info().height;
+        for (const std::string& text : options.settings) m_report.settings.push_back(parseAssignment(text));
+        if (denoiser.family == Family::None)
+        {
+            if (!options.settings.empty()) throw SettingError("--set needs a denoiser, not NONE");
+            return;
+        }
+        m_gpu = std::make_unique<ReplayGpu>(
+            ReplayGpuDesc{capture, denoiser, m_report.settings, options.device, options.validation});
+        m_report.device = m_gpu->deviceName();
+    }
+
+    // Everything but the validation layers' verdict is in the report.
+    const ReplayReport& run()
+    {
+        const size_t all = m_capture.info().frames.size();
+        const size_t count = m_options.frameCount ? std::min(m_options.frameCount, all) : all;
+        for (size_t i = 0; i < count; i++)
+        {
+            replayFrame(i);
+            showProgress(i + 1, count);
+        }
+        m_report.frames = m_measurer.frames();
+        m_report.noisy = m_measurer.meanNoisy();
+        m_report.denoised = m_measurer.meanDenoised();
+        if (m_gpu)
+        {
+            m_gpu->reportTimes(m_report, kFirstTimedFrame);
+            m_report.memory = m_gpu->memory();
+        }
+        return m_report;
+    }
+
+    uint32_t validationMessageCount() const { return m_gpu ? m_gpu->validationMessageCount() : 0; }
+
+private:
+    void replayFrame(size_t index)
+    {
+        const bool hasReference = !m_capture.info().frames[index].reference.empty();
+        const bool isWritten = !m_options.out.empty();
+        if (!m_gpu && !hasReference) return;
+        const Planes frame = m_capture.readFrame(index);
+        Signals denoised;
+        if (m_gpu) denoised = m_gpu->denoise(frame, hasReference || isWritten);
+        if (hasReference)
+        {
+            m_measurer.add(index, frame, m_capture.readReference(index), m_gpu ? &denoised : nullptr);
+            denoised[Signal::Composed] = m_measurer.pictures().denoised;
+        }
+        else
+            compose(denoised, frame, {});
+        if (isWritten) write(index, denoised, hasReference);
+    }
+
+    void write(size_t index, const Signals& denoised, bool hasReference) const
+    {
+        const std::filesystem::path folder = m_options.out;
+        std::error_code error;
+        std::filesystem::create_directories(folder, error);
+        if (error) throw FileError(folder.string() + " cannot be created: " + error.message());
+        writeDenoisedExr(folder, index, denoised);
+        writeComposedPng(folder, "denoised", index, denoised[Signal::Composed]);
+        if (!hasReference) return;
+        writeComposedPng(folder, "noisy", index, m_measurer.pictures().noisy);
+        writeComposedPng(folder, "reference", index, m_measurer.pictures().reference);
+    }
+
+    const Options& m_options;
+    const Capture& m_capture;
+    SequenceMeasurer m_measurer;
+    ReplayReport m_report;
+    std::unique_ptr<ReplayGpu> m_gpu; // null: NONE
+};
+
+int replay(const Options& options)
+{
+    if (options.capture.empty()) throw SettingError("no capture is given; expected the folder of one");
+    const ReplayDenoiser& denoiser = chosenDenoiser(options);
+    const Capture capture = Capture::open(options.capture);
+    Replay replay(options, capture, denoiser);
+    const ReplayReport& report = replay.run();
+    if (!options.report.empty()) writeReport(options.report, report);
+    std::cout << formatReport(report, peerOf(options, report));
+    if (const uint32_t messageCount = replay.validationMessageCount())
+        throw engine::Error("the validation layers had " + std::to_string(messageCount) + " messages");
+    return 0;
+}
+
+int summarize(const Options& options)
+{
+    std::vector<ReplayReport> reports;
+    std::vector<std::optional<PeerFigures>> peers;
+    for (const std::string& file : options.summary)
+    {
+        reports.push_back(readReport(file));
+        peers.push_back(peerOf(options, reports.back()));
+    }
+    std::cout << formatSummary(reports, peers);
+    return 0;
+}
+
+int run(const Options& options)
+{
+    if (options.isDeviceListWanted)
+    {
+        for (const std::string& line : engine::listDevices()) std::cout << line << '\n';
+        return 0;
+    }
+    return options.summary.empty() ? replay(options) : summarize(options);
+}
+} // namespace
+
+int main(int argumentCount, char** arguments)
+{
+    CLI::App app("Denoises a recorded capture and measures the result against its references.");
+    Options options;
+    declareOptions(app, options);
+    try
+    {
+        app.parse(argumentCount, arguments);
+        return run(options);
+    }
+    catch (const CLI::ParseError& e)
+    {
+        if (e.get_exit_code() == 0) return app.exit(e); // --help, --version
+        std::cerr << "nrd-replay: " << e.what() << '\n';
+    }
+    catch (const std::bad_alloc&)
+    {
+        std::cerr << "nrd-replay: out of memory\n";
+    }
+    catch (const std::exception& e)
+    {
+        std::cerr << "nrd-replay: " << e.what() << '\n';
+    }
+    return 1;
+}

@@ -1,0 +1,45 @@
+#include "replay_output.h"
+#include "exr.h"
+
+#include <cstdio>
+
+namespace sample
+{
+namespace
+{
+std::filesystem::path numbered(const std::filesystem::path& folder, const char* stem, size_t frameIndex,
+                               const char* extension)
+{
+    char name[64];
+    std::snprintf(name, sizeof(name), "%s_%04zu.%s", stem, frameIndex, extension);
+    return folder / name;
+}
+} // namespace
+
+void writeDenoisedExr(const std::filesystem::path& folder, size_t frameIndex, const Signals& signals)
+{
+    ExrPicture picture;
+    for (size_t s = 0; s < kSignalCount; s++)
+    {
+        const SignalInfo& info = signalInfo(static_cast<Signal>(s));
+        const Picture& source = signals[info.signal];
+        for (size_t c = 0; c < source.planes.size(); c++)
+        {
+            const Channel channel = next(info.reference, static_cast<int>(c));
+            picture.channels.push_back({channelInfo(channel).name, ExrType::Float, source.planes[c]});
+            picture.width = source.width;
+            picture.height = source.height;
+        }
+    }
+    if (!picture.channels.empty()) writeExr(numbered(folder, "denoised", frameIndex, "exr"), picture);
+}
+
+void writeComposedPng(const std::filesystem::path& folder, const char* stem, size_t frameIndex, const Picture& composed)
+{
+    if (!composed.exists()) return;
+    Image image(composed.width, composed.height);
+    for (size_t i = 0; i < composed.pixelCount(); i++)
+        for (size_t c = 0; c < 3; c++) image.rgba[i * 4 + c] = composed.planes[c][i];
+    writePng(numbered(folder, stem, frameIndex, "png"), image);
+}
+} // namespace sample

@@ -1,0 +1,52 @@
+// --set key=value: every field of CommonSettings and of the families' settings by name.
+#pragma once
+#include "replay_denoisers.h"
+
+#include <nrd/settings.h>
+
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace sample
+{
+// A key or value that --set cannot take, in one sentence.
+class SettingError : public std::runtime_error
+{
+public:
+    using std::runtime_error::runtime_error;
+};
+
+struct ReplaySettings
+{
+    nrd::CommonSettings common;
+    nrd::ReblurSettings reblur;
+    nrd::ReferenceSettings reference;
+};
+
+using SettingTarget = std::variant<float*, double*, uint32_t*, uint16_t*, bool*, nrd::AccumulationMode*,
+                                   nrd::CheckerboardMode*, nrd::HitDistanceReconstructionMode*>;
+
+// One field of a given settings object; an array has several values in a row.
+struct SettingField
+{
+    std::string name; // as in the struct, nested ones with a dot
+    SettingTarget target;
+    size_t count = 1;
+};
+
+// The fields --set reaches for a family: the common ones, then the family's own.
+std::vector<SettingField> settingFields(ReplaySettings& settings, Family family);
+
+// "key=value" as given on the command line.
+using Assignment = std::pair<std::string, std::string>;
+
+// Splits "key=value". Throws SettingError.
+Assignment parseAssignment(const std::string& text);
+
+// Writes the values into `settings`. A list's values are separated by commas, flags are true or false, modes are named
+// as in the header. Throws SettingError for a key the family has no field for, and a value its type does not take.
+void applySettings(ReplaySettings& settings, Family family, const std::vector<Assignment>& assignments);
+} // namespace sample

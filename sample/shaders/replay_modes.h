@@ -1,0 +1,15 @@
+// What the replay tool's shaders do with a slot; read by C++ and GLSL.
+#ifndef REPLAY_MODES_H
+#define REPLAY_MODES_H
+
+#define REPLAY_PACK_COPY 0
+#define REPLAY_PACK_NORMAL_ROUGHNESS 1
+#define REPLAY_PACK_REBLUR_RADIANCE 2
+#define REPLAY_PACK_REBLUR_HITDIST 3
+
+#define REPLAY_UNPACK_COPY 0
+#define REPLAY_UNPACK_REBLUR_RADIANCE 1
+
+#define REPLAY_HIT_DIST_MISS 65504.0 // recorded where a ray hit nothing
+
+#endif
