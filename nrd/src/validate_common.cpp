@@ -14,7 +14,7 @@ void checkFinite(Checker& check, const char* field, const float (&matrix)[16])
     for (int i = 0; i < 16; i++) check.require(std::isfinite(matrix[i]), field, matrix[i], "a finite number", i);
 }
 
-// x' = a x + b z (+ c), y' likewise; w is z or constant. Relative to the largest element, as scale does not matter.
+// x' = a x + b z (or + b), y' likewise; w = +-z or 1, which a transposed matrix does not have.
 void checkProjection(Checker& check, const char* field, const float (&m)[16])
 {
     checkFinite(check, field, m);
@@ -24,8 +24,9 @@ void checkProjection(Checker& check, const char* field, const float (&m)[16])
     check.invalid(largest == 0.0, field, "is zero, expected an invertible projection");
 
     const auto isSmall = [](double a, double b) { return std::fabs(a) <= 1e-6 * std::fabs(b); };
-    const bool isPerspective = m[11] != 0.0f && isSmall(m[15], m[11]);
-    const bool isOrthographic = m[11] == 0.0f && m[15] > 0.0f;
+    const auto isUnit = [](double a) { return std::fabs(std::fabs(a) - 1.0) <= 1e-3; };
+    const bool isPerspective = isUnit(m[11]) && isSmall(m[15], 1.0);
+    const bool isOrthographic = m[11] == 0.0f && isUnit(m[15]) && m[15] > 0.0f;
     const bool isShifted = isPerspective ? m[12] != 0.0f || m[13] != 0.0f : m[8] != 0.0f || m[9] != 0.0f;
     const bool isSheared = !isSmall(m[4], m[0]) || !isSmall(m[1], m[5]) || m[3] != 0.0f || m[7] != 0.0f;
     check.invalid(!isPerspective && !isOrthographic, field,

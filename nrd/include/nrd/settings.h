@@ -6,7 +6,8 @@
 namespace nrd
 {
 // Matrices are column-major, for column vectors, without jitter; clip space is Y up with depth in [0; 1], reversed
-// and infinite depth allowed; view space is X right, Y up, Z either way.
+// and infinite depth allowed; view space is X right, Y up, Z either way. What is last frame's is this frame's in the
+// first one and after a cut.
 struct CommonSettings
 {
     float viewToClipMatrix[16] = {};     // perspective or orthographic, invertible

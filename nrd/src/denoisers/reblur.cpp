@@ -90,8 +90,11 @@ constexpr ResourceType ViewZ = ResourceType::IN_VIEWZ;
 constexpr ResourceType NormalRoughness = ResourceType::IN_NORMAL_ROUGHNESS;
 constexpr ResourceType Motion = ResourceType::IN_MV;
 
-// Without a pre-pass the input is accumulated as it came.
+// Without a pre-pass the input is accumulated as it came, and nobody wrote a tracking distance.
 constexpr Slot kEachAccumulated = choose(hasPrePass, each(Scratch), kEachInput);
+constexpr Slot kTrackNew = only(kSpecular, optional(hasPrePass, TrackNew));
+// Without stabilisation nobody keeps this history up to date.
+constexpr Slot kStab = optional(hasStabilization, Stab);
 constexpr Slot kThresholdMix = optional(hasDisocclusionMix, ResourceType::IN_DISOCCLUSION_THRESHOLD_MIX);
 constexpr Slot kDiffuseConfidence = only(kDiffuse, optional(hasConfidence, ResourceType::IN_DIFF_CONFIDENCE));
 constexpr Slot kSpecularConfidence = only(kSpecular, optional(hasConfidence, ResourceType::IN_SPEC_CONFIDENCE));
@@ -113,7 +116,7 @@ constexpr PassRow kPasses[] = {
     {"Temporal accumulation",
      Shader::ReblurTemporalAccumulationDiffuseSpecular,
      {Tiles, ViewZ, NormalRoughness, Motion, PrevViewZ, PrevNormalRoughness, PrevLength, kThresholdMix,
-      kDiffuseConfidence, kSpecularConfidence, kEachAccumulated, each(History), Fast, Stab, only(kSpecular, TrackNew),
+      kDiffuseConfidence, kSpecularConfidence, kEachAccumulated, each(History), Fast, kStab, kTrackNew,
       only(kSpecular, prev(Track))},
      {each(Scratch), FastTemp, Length, StabHistory, StabWeight, only(kSpecular, Track)},
      kGroup8x16,

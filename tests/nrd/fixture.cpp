@@ -1,0 +1,145 @@
+#include "fixture.h"
+#include <algorithm>
+
+namespace test
+{
+void setIdentity(float (&matrix)[16])
+{
+    for (int i = 0; i < 16; i++) matrix[i] = i % 5 == 0 ? 1.0f : 0.0f;
+}
+
+void setPerspective(float (&matrix)[16], float xScale, float yScale, float viewZSign)
+{
+    std::fill(std::begin(matrix), std::end(matrix), 0.0f);
+    matrix[0] = xScale;
+    matrix[5] = yScale;
+    matrix[10] = viewZSign * 1.001f; // near 0.1, far 100
+    matrix[11] = viewZSign;
+    matrix[14] = -0.1001f;
+}
+
+void setCameraPosition(float (&m)[16], float x, float y, float z)
+{
+    for (int row = 0; row < 3; row++) m[12 + row] = -(m[row] * x + m[4 + row] * y + m[8 + row] * z);
+}
+
+CommonSettings makeCommon()
+{
+    CommonSettings common;
+    setPerspective(common.viewToClipMatrix, 1.0f, 1.0f, 1.0f);
+    setPerspective(common.viewToClipMatrixPrev, 1.0f, 1.0f, 1.0f);
+    setIdentity(common.worldToViewMatrix);
+    setIdentity(common.worldToViewMatrixPrev);
+    for (auto size : {&common.resourceSize, &common.resourceSizePrev, &common.rectSize, &common.rectSizePrev})
+    {
+        (*size)[0] = 100;
+        (*size)[1] = 60;
+    }
+    common.timeDeltaBetweenFrames = 1000.0f / 60.0f;
+    return common;
+}
+
+MessageSink Messages::sink()
+{
+    const auto report = [](void* userArg, Result result, const char* text)
+    {
+        Messages& messages = *static_cast<Messages*>(userArg);
+        messages.texts.emplace_back(text);
+        messages.results.push_back(result);
+    };
+    return {report, this};
+}
+
+InstancePtr makeInstance(const std::vector<Denoiser>& denoisers, InstanceCreationDesc desc)
+{
+    std::vector<DenoiserDesc> descs;
+    for (Denoiser denoiser : denoisers) descs.push_back({static_cast<Identifier>(descs.size()), denoiser});
+    desc.denoisers = descs.data();
+    desc.denoisersNum = static_cast<uint32_t>(descs.size());
+    Instance* instance = nullptr;
+    REQUIRE(CreateInstance(desc, instance) == Result::SUCCESS);
+    REQUIRE(instance);
+    return InstancePtr(instance);
+}
+
+std::vector<DispatchDesc> request(Instance& instance, const std::vector<Identifier>& identifiers)
+{
+    const DispatchDesc* dispatches = nullptr;
+    uint32_t num = 0;
+    const Result result =
+        GetComputeDispatches(instance, identifiers.data(), static_cast<uint32_t>(identifiers.size()), dispatches, num);
+    INFO(GetLastMessage(instance));
+    REQUIRE(result == Result::SUCCESS);
+    return {dispatches, dispatches + num};
+}
+
+std::vector<DispatchDesc> requestFrame(Instance& instance, CommonSettings& common,
+                                       const std::vector<Identifier>& identifiers)
+{
+    common.frameIndex++;
+    const Result result = SetCommonSettings(instance, common);
+    INFO(GetLastMessage(instance));
+    REQUIRE(result == Result::SUCCESS);
+    return request(instance, identifiers);
+}
+
+std::vector<std::string> passNames(const std::vector<DispatchDesc>& dispatches)
+{
+    std::vector<std::string> names;
+    for (const DispatchDesc& dispatch : dispatches)
+    {
+        const std::string name = dispatch.name;
+        const size_t separator = name.find(" - ");
+        REQUIRE(separator != std::string::npos);
+        names.push_back(name.substr(separator + 3));
+    }
+    return names;
+}
+
+const DispatchDesc* findPass(const std::vector<DispatchDesc>& dispatches, const std::string& name)
+{
+    const std::vector<std::string> names = passNames(dispatches);
+    const auto found = std::find(names.begin(), names.end(), name);
+    return found == names.end() ? nullptr : &dispatches[static_cast<size_t>(found - names.begin())];
+}
+
+bool isPool(ResourceType type) { return type == ResourceType::TRANSIENT_POOL || type == ResourceType::PERMANENT_POOL; }
+
+uint32_t texelByteSize(Format format)
+{
+    switch (format)
+    {
+    case Format::R8_UNORM:
+    case Format::R8_SNORM:
+    case Format::R8_UINT:
+        return 1;
+    case Format::RG8_UNORM:
+    case Format::RG8_UINT:
+    case Format::R16_UNORM:
+    case Format::R16_UINT:
+    case Format::R16_SFLOAT:
+        return 2;
+    case Format::RGBA8_UNORM:
+    case Format::RGBA8_SNORM:
+    case Format::RG16_UNORM:
+    case Format::RG16_SFLOAT:
+    case Format::R32_UINT:
+    case Format::R32_SFLOAT:
+    case Format::A2B10G10R10_UNORM_PACK32:
+    case Format::B10G11R11_UFLOAT_PACK32:
+    case Format::E5B9G9R9_UFLOAT_PACK32:
+        return 4;
+    case Format::RGBA16_UNORM:
+    case Format::RGBA16_SNORM:
+    case Format::RGBA16_SFLOAT:
+    case Format::RG32_UINT:
+    case Format::RG32_SFLOAT:
+        return 8;
+    case Format::RGBA32_SFLOAT:
+        return 16;
+    case Format::MAX_NUM:
+        break;
+    }
+    return 0;
+}
+} // namespace test

@@ -1,0 +1,270 @@
+// What must hold of every table, whatever the family: checked over every variant and combination of settings.
+#include "compiled.h"
+#include "denoisers/families.h"
+#include "expand.h"
+#include "fixture.h"
+#include <set>
+
+using namespace test;
+
+namespace
+{
+struct Case
+{
+    Program program;
+    CommonSettings common;
+    FamilySettings settings;
+    std::string text;
+
+    Conditions conditions() const
+    {
+        return {common, settings, NormalEncoding::R10_G10_B10_A2_UNORM, program.variant->lobes};
+    }
+};
+
+// Bits of the combinations of settings on which the tables depend.
+void applyBits(Case& c, uint32_t bits)
+{
+    c.common.isHistoryConfidenceAvailable = bits & 1;
+    c.common.isDisocclusionThresholdMixAvailable = bits & 2;
+    c.common.splitScreen = (bits & 4) ? 0.5f : 0.0f;
+    if (ReblurSettings* reblur = std::get_if<ReblurSettings>(&c.settings))
+    {
+        if (bits & 8) reblur->diffusePrepassBlurRadius = reblur->specularPrepassBlurRadius = 0.0f;
+        if (bits & 16) reblur->maxStabilizedFrameNum = 0;
+        if (bits & 32) reblur->enableAntiFirefly = false;
+    }
+    c.text = std::string(toString(c.program.variant->key)) + " with settings " + std::to_string(bits);
+}
+
+std::vector<Case> allCases()
+{
+    std::vector<Case> cases;
+    for (const Family* family : kFamilies)
+    {
+        for (size_t variant = 0; variant < family->variants.size(); variant++)
+        {
+            for (uint32_t bits = 0; bits < 64; bits++)
+            {
+                Case c = {expand({family, variant}, NormalEncoding::R10_G10_B10_A2_UNORM), makeCommon(),
+                          family->defaults, ""};
+                applyBits(c, bits);
+                cases.push_back(c);
+            }
+        }
+    }
+    return cases;
+}
+
+using Key = std::pair<uint32_t, bool>; // texture, previous
+
+bool isTransient(const Program& program, const Binding& binding)
+{
+    return program.textures[binding.texture].row->lifetime == Lifetime::Transient;
+}
+
+std::vector<Program> allPrograms()
+{
+    std::vector<Program> programs;
+    for (const Family* family : kFamilies)
+    {
+        for (size_t variant = 0; variant < family->variants.size(); variant++)
+            programs.push_back(expand({family, variant}, NormalEncoding::R10_G10_B10_A2_UNORM));
+    }
+    return programs;
+}
+} // namespace
+
+TEST_CASE("a pass reads of the transient textures only what an earlier pass of the request wrote", "[unit]")
+{
+    for (const Case& c : allCases())
+    {
+        INFO(c.text);
+        std::set<uint32_t> written;
+        for (const Pass& pass : c.program.passes)
+        {
+            if (!pass.row->runsIf(c.conditions())) continue;
+            INFO(pass.row->name);
+            for (const BoundSlot& slot : pass.reads)
+            {
+                const Binding& binding = slot.pick(c.conditions());
+                if (!binding.isTexture() || !isTransient(c.program, binding)) continue;
+                INFO(c.program.textures[binding.texture].row->name);
+                REQUIRE(written.count(binding.texture) == 1);
+            }
+            for (const BoundSlot& slot : pass.writes)
+            {
+                const Binding& binding = slot.pick(c.conditions());
+                if (binding.isTexture()) written.insert(binding.texture);
+            }
+        }
+    }
+}
+
+TEST_CASE("history that a request reads is renewed by the same request", "[unit]")
+{
+    for (const Case& c : allCases())
+    {
+        INFO(c.text);
+        std::set<Key> read, written;
+        for (const Pass& pass : c.program.passes)
+        {
+            if (!pass.row->runsIf(c.conditions())) continue;
+            for (const BoundSlot& slot : pass.reads)
+            {
+                const Binding& b = slot.pick(c.conditions());
+                if (b.isTexture() && !isTransient(c.program, b)) read.insert({b.texture, b.isPrevious});
+            }
+            for (const BoundSlot& slot : pass.writes)
+            {
+                const Binding& b = slot.pick(c.conditions());
+                REQUIRE_FALSE(b.isPrevious);
+                if (b.isTexture()) written.insert({b.texture, false});
+            }
+        }
+        for (const Key& key : read)
+        {
+            INFO(c.program.textures[key.first].row->name);
+            CHECK(written.count({key.first, false}) == 1);
+        }
+    }
+}
+
+TEST_CASE("outputs are written and never read, inputs are read and never written", "[unit]")
+{
+    for (const Case& c : allCases())
+    {
+        INFO(c.text);
+        std::set<ResourceType> written;
+        for (const Pass& pass : c.program.passes)
+        {
+            if (!pass.row->runsIf(c.conditions())) continue;
+            for (const BoundSlot& slot : pass.reads)
+            {
+                const Binding& binding = slot.pick(c.conditions());
+                if (!binding.isTexture()) CHECK(binding.type < ResourceType::OUT_DIFF_RADIANCE_HITDIST);
+            }
+            for (const BoundSlot& slot : pass.writes)
+            {
+                const Binding& binding = slot.pick(c.conditions());
+                if (binding.isTexture()) continue;
+                CHECK(binding.type >= ResourceType::OUT_DIFF_RADIANCE_HITDIST);
+                CHECK(binding.type < ResourceType::TRANSIENT_POOL);
+                written.insert(binding.type);
+            }
+        }
+        for (const SignalRow& signal : c.program.variant->signals) CHECK(written.count(signal.output) == 1);
+    }
+}
+
+TEST_CASE("every texture of a variant is bound by a pass, and only ping-pong textures have a previous one", "[unit]")
+{
+    for (const Program& program : allPrograms())
+    {
+        INFO(toString(program.variant->key));
+        for (size_t i = 0; i < program.textures.size(); i++)
+        {
+            INFO(program.textures[i].row->name);
+            CHECK(lifeOf(program, i).isBound);
+            CHECK(program.textures[i].format < Format::MAX_NUM);
+        }
+        for (const Pass& pass : program.passes)
+        {
+            for (const BoundSlot& slot : pass.reads)
+            {
+                if (!slot.binding.isPrevious) continue;
+                CHECK(program.textures[slot.binding.texture].row->lifetime == Lifetime::PingPong);
+            }
+        }
+    }
+}
+
+TEST_CASE("a texture read at other pixels is not written by the same pass", "[unit]")
+{
+    // Temporal accumulation alone reads and writes one place, its own texel of the scratch texture.
+    for (const Case& c : allCases())
+    {
+        INFO(c.text);
+        for (const Pass& pass : c.program.passes)
+        {
+            for (const BoundSlot& read : pass.reads)
+            {
+                for (const BoundSlot& write : pass.writes)
+                {
+                    const Binding& binding = read.pick(c.conditions());
+                    if (!(binding == write.pick(c.conditions())) || !binding.isTexture()) continue;
+                    CHECK(std::string(pass.row->name) == "Temporal accumulation");
+                    CHECK(std::string(c.program.textures[binding.texture].row->name) == "Scratch");
+                }
+            }
+        }
+    }
+}
+
+TEST_CASE("textures that share a place in the transient pool are never alive together", "[unit]")
+{
+    std::vector<DenoiserDesc> descs;
+    const LibraryDesc& library = GetLibraryDesc();
+    for (uint32_t i = 0; i < 2 * library.supportedDenoisersNum; i++) // two of each
+        descs.push_back({i, library.supportedDenoisers[i / 2]});
+    InstanceCreationDesc desc;
+    desc.denoisers = descs.data();
+    desc.denoisersNum = static_cast<uint32_t>(descs.size());
+    Compiled compiled(std::pmr::new_delete_resource());
+    compile(desc, compiled);
+    for (const CompiledDenoiser& denoiser : compiled.denoisers)
+    {
+        const Program& program = denoiser.program;
+        for (size_t i = 0; i < program.textures.size(); i++)
+        {
+            const PoolPlace& place = denoiser.places[i];
+            if (place.pool != ResourceType::TRANSIENT_POOL) continue;
+            CHECK(compiled.transientPool[place.index].format == program.textures[i].format);
+            CHECK(compiled.transientPool[place.index].downsampleFactor == program.textures[i].row->downsampleFactor);
+            for (size_t j = 0; j < i; j++)
+            {
+                const PoolPlace& other = denoiser.places[j];
+                if (other.pool != place.pool || other.index != place.index) continue;
+                const Life a = lifeOf(program, i), b = lifeOf(program, j);
+                CHECK((a.last < b.first || b.last < a.first));
+            }
+        }
+    }
+}
+
+TEST_CASE("the guide's copy has the format of the encoding", "[unit]")
+{
+    for (uint32_t i = 0; i < static_cast<uint32_t>(NormalEncoding::MAX_NUM); i++)
+    {
+        const NormalEncoding encoding = static_cast<NormalEncoding>(i);
+        const Program program = expand(findVariant(kReblurBoth), encoding);
+        size_t num = 0;
+        for (const Texture& texture : program.textures)
+        {
+            if (texture.row->format.rule != FormatRule::Guide) continue;
+            CHECK(texture.format == guideFormat(encoding));
+            num++;
+        }
+        CHECK(num == 1);
+    }
+}
+
+TEST_CASE("memory per pixel of REBLUR_DIFFUSE_SPECULAR stays within 70 bytes", "[unit]")
+{
+    const InstancePtr instance = makeInstance({kReblurBoth});
+    const InstanceDesc& desc = GetInstanceDesc(*instance);
+    const auto bytesPerPixel = [](const TextureDesc* pool, uint32_t num)
+    {
+        double sum = 0.0;
+        for (uint32_t i = 0; i < num; i++)
+            sum += texelByteSize(pool[i].format) /
+                   static_cast<double>(pool[i].downsampleFactor * pool[i].downsampleFactor);
+        return sum;
+    };
+    const double permanent = bytesPerPixel(desc.permanentPool, desc.permanentPoolSize);
+    const double transient = bytesPerPixel(desc.transientPool, desc.transientPoolSize);
+    WARN("REBLUR_DIFFUSE_SPECULAR: " << permanent << " permanent + " << transient
+                                     << " transient = " << permanent + transient << " bytes per pixel");
+    CHECK(permanent == Approx(38.0));
+    CHECK(permanent + transient < 70.0);
+}
