@@ -1,0 +1,189 @@
+// REBLUR through the integration: many passes and textures, so many barriers. What it computes is tested elsewhere.
+#include "gpu_fixture.h"
+#include "recording_fixture.h"
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstring>
+#include <rhi/validation.h>
+
+using nrd::Denoiser;
+using nrd::ResourceType;
+using test::EngineImage;
+using test::FrameRing;
+using test::Gpu;
+using test::RecordingFixture;
+using test::require;
+
+namespace
+{
+constexpr uint16_t kWidth = 50;
+constexpr uint16_t kHeight = 34;
+constexpr nrd::Identifier kReblur = 1;
+
+// The images of REBLUR_DIFFUSE_SPECULAR with a wall that faces the camera, evenly lit.
+struct ReblurImages
+{
+    explicit ReblurImages(Gpu& gpu)
+    {
+        add(gpu, ResourceType::IN_MV, rhi::Format::RGBA16_SFLOAT);
+        add(gpu, ResourceType::IN_NORMAL_ROUGHNESS, rhi::Format::A2B10G10R10_UNORM_PACK32);
+        add(gpu, ResourceType::IN_VIEWZ, rhi::Format::R32_SFLOAT);
+        add(gpu, ResourceType::IN_DIFF_RADIANCE_HITDIST, rhi::Format::RGBA32_SFLOAT);
+        add(gpu, ResourceType::IN_SPEC_RADIANCE_HITDIST, rhi::Format::RGBA32_SFLOAT);
+        add(gpu, ResourceType::OUT_DIFF_RADIANCE_HITDIST, rhi::Format::RGBA32_SFLOAT);
+        add(gpu, ResourceType::OUT_SPEC_RADIANCE_HITDIST, rhi::Format::RGBA32_SFLOAT);
+    }
+
+    void upload(rhi::CommandBuffer& commands)
+    {
+        constexpr size_t kPixels = size_t(kWidth) * kHeight;
+        const std::vector<uint64_t> motion(kPixels, 0);
+        const std::vector<uint32_t> guide(kPixels, 512u | 512u << 10 | 256u << 20); // normal -z, roughness 0.5
+        const std::vector<float> viewZ(kPixels, 5.0f);
+        std::vector<float> radiance(kPixels * 4, 0.0f); // Y, Co, Cg, normalised hit distance
+        for (size_t i = 0; i < kPixels; i++) radiance[i * 4] = radiance[i * 4 + 3] = 0.5f;
+        const void* const bytes[] = {motion.data(), guide.data(), viewZ.data(), radiance.data(), radiance.data()};
+        for (size_t i = 0; i < std::size(bytes); i++) images[i].upload(commands, bytes[i]);
+    }
+
+    void denoise(nrd::NrdIntegration& integration, rhi::CommandBuffer& commands,
+                 const nrd::DenoiseOptions& options = {})
+    {
+        nrd::NrdUserPool pool;
+        for (size_t i = 0; i < images.size(); i++) pool[slots[i]] = images[i].entry;
+        require(integration.Denoise(rhi::vulkanCommandBuffer(commands), &kReblur, 1, pool, options), integration);
+        for (size_t i = 0; i < images.size(); i++) images[i].entry.state = pool[slots[i]].state;
+    }
+
+    std::vector<ResourceType> slots;
+    std::deque<EngineImage> images;
+
+private:
+    void add(Gpu& gpu, ResourceType slot, rhi::Format format)
+    {
+        slots.push_back(slot);
+        images.emplace_back(gpu, format, kWidth, kHeight);
+    }
+};
+
+struct ReblurEngine
+{
+    explicit ReblurEngine(nrd::LayoutPolicy policy = nrd::LayoutPolicy::OPTIMAL, bool isSync2 = true)
+    {
+        desc.native = gpu.native();
+        desc.native.isSynchronization2Enabled &= isSync2;
+        desc.layoutPolicy = policy;
+        desc.resourceWidth = kWidth;
+        desc.resourceHeight = kHeight;
+        desc.framesInFlight = 2;
+        nrd::InstanceCreationDesc instanceDesc;
+        instanceDesc.denoisers = &denoiser;
+        instanceDesc.denoisersNum = 1;
+        require(integration.Create(desc, instanceDesc), integration);
+    }
+    ~ReblurEngine() { frames.wait(); }
+
+    rhi::CommandBuffer& beginFrame()
+    {
+        rhi::CommandBuffer& commands = frames.begin();
+        require(integration.NewFrame(), integration);
+        require(integration.SetCommonSettings(test::stillCamera(kWidth, kHeight, frameIndex++)), integration);
+        return commands;
+    }
+
+    Gpu gpu;
+    FrameRing frames{gpu, 2};
+    ReblurImages images{gpu};
+    nrd::DenoiserDesc denoiser = {kReblur, Denoiser::REBLUR_DIFFUSE_SPECULAR};
+    nrd::IntegrationCreationDesc desc;
+    nrd::NrdIntegration integration;
+    uint32_t frameIndex = 0;
+};
+} // namespace
+
+TEST_CASE("REBLUR runs without a word from validation under both layout policies and both kinds of barriers", "[gpu]")
+{
+    const auto policy = GENERATE(nrd::LayoutPolicy::OPTIMAL, nrd::LayoutPolicy::GENERAL);
+    const bool isSync2 = GENERATE(true, false);
+    ReblurEngine engine(policy, isSync2);
+    nrd::ReblurSettings settings;
+    settings.maxStabilizedFrameNum = GENERATE(0u, 63u);
+    require(engine.integration.SetDenoiserSettings(kReblur, settings), engine.integration);
+    for (uint32_t frame = 0; frame < 4; frame++)
+    {
+        rhi::CommandBuffer& commands = engine.beginFrame();
+        if (frame == 0) engine.images.upload(commands);
+        nrd::DenoiseOptions options;
+        options.restoreInitialStates = frame == 2;
+        engine.images.denoise(engine.integration, commands, options);
+        if (frame == 3)
+            for (EngineImage& image : engine.images.images) image.download(commands);
+        engine.frames.end();
+    }
+    engine.frames.wait();
+    for (const size_t output : {5u, 6u})
+        for (const float value : engine.images.images[output].texels<float>()) REQUIRE(std::isfinite(value));
+    engine.gpu.finish();
+}
+
+TEST_CASE("the decorator finds no misuse of the RHI in frames, resizes and failures", "[unit]")
+{
+    std::vector<std::string> sentences;
+    RecordingFixture f({{3, Denoiser::REBLUR_DIFFUSE_SPECULAR}, {7, Denoiser::REFERENCE}});
+    f.fillReblurSlots();
+    f.desc.isGpuTimingEnabled = true;
+    f.desc.layoutPolicy = GENERATE(nrd::LayoutPolicy::OPTIMAL, nrd::LayoutPolicy::GENERAL);
+    const std::unique_ptr<rhi::Device> validating =
+        rhi::makeValidatingDevice(*f.device, [&](const std::string& text) { sentences.push_back(text); });
+    nrd::NrdIntegration integration;
+    require(nrd::IntegrationAccess::Create(integration, *validating, f.desc, f.instanceDesc), integration);
+    const nrd::Identifier identifiers[] = {3, 7};
+    for (uint32_t frame = 0; frame < 12; frame++)
+    {
+        if (frame == 6)
+        {
+            f.width = f.height = 40;
+            require(integration.Resize(f.width, f.height), integration);
+            f.fillReblurSlots();
+            f.pool[ResourceType::IN_SIGNAL] = f.image(0x100);
+            f.pool[ResourceType::OUT_SIGNAL] = f.image(0x200);
+        }
+        require(integration.NewFrame(), integration);
+        require(integration.SetCommonSettings(test::stillCamera(f.width, f.height, frame)), integration);
+        if (frame == 7)
+        {
+            f.pool[ResourceType::OUT_SIGNAL].generation = 9; // wrapped anew, which fails
+            f.device->failCreation(1);
+            CHECK(integration.Denoise(test::fakeCommandBuffer(), identifiers, 2, f.pool) == nrd::Result::FAILURE);
+        }
+        nrd::DenoiseOptions options;
+        options.restoreInitialStates = frame % 3 == 2;
+        require(integration.Denoise(test::fakeCommandBuffer(), identifiers, 2, f.pool, options), integration);
+    }
+    integration.Destroy();
+    for (const std::string& text : sentences) FAIL_CHECK(text);
+}
+
+// Run by name: the time depends on the machine and on what else it does.
+TEST_CASE("recording a frame of REBLUR is cheap", "[.cost]")
+{
+    ReblurEngine engine;
+    constexpr int kFrames = 2000;
+    std::vector<double> microseconds;
+    for (int frame = 0; frame < kFrames; frame++)
+    {
+        rhi::CommandBuffer& commands = engine.frames.begin();
+        const auto start = std::chrono::steady_clock::now();
+        require(engine.integration.NewFrame(), engine.integration);
+        require(engine.integration.SetCommonSettings(test::stillCamera(kWidth, kHeight, engine.frameIndex++)),
+                engine.integration);
+        engine.images.denoise(engine.integration, commands);
+        const std::chrono::duration<double, std::micro> time = std::chrono::steady_clock::now() - start;
+        microseconds.push_back(time.count());
+        engine.frames.end();
+    }
+    std::sort(microseconds.begin(), microseconds.end());
+    WARN("median " << microseconds[kFrames / 2] << " us, fastest " << microseconds.front() << " us per frame");
+    CHECK(microseconds[kFrames / 2] < 200.0);
+}
