@@ -23,16 +23,16 @@ static_assert(rowsMatchKeys(kTextures));
 
 bool always(const Conditions&) { return true; }
 
-// clang-format off
 constexpr PassRow kPasses[] = {
     {"Accumulate", Shader::ReferenceAccumulate, {ResourceType::IN_SIGNAL, prev(Mean)}, {Mean}, {16, 16}, always},
     {"Copy", Shader::ReferenceCopy, {Mean}, {ResourceType::OUT_SIGNAL}, {16, 16}, always},
 };
 
+constexpr SignalRow kSignal = {ResourceType::IN_SIGNAL, ResourceType::OUT_SIGNAL, Format::RGBA32_SFLOAT, kNoLobe};
+
 constexpr Variant kVariants[] = {
-    {Denoiser::REFERENCE, kNoLobe, {{ResourceType::IN_SIGNAL, ResourceType::OUT_SIGNAL, Format::RGBA32_SFLOAT, kNoLobe}}},
+    {Denoiser::REFERENCE, kNoLobe, {kSignal}},
 };
-// clang-format on
 static_assert(shadersMatchVariants(kPasses, std::size(kVariants)));
 
 // Another camera, another size or the application's word; what moves in the scene is not noticed.
