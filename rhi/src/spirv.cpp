@@ -12,6 +12,7 @@ constexpr size_t kHeaderWords = 5;
 constexpr uint32_t kOpEntryPoint = 15;
 constexpr uint32_t kOpTypeStruct = 30;
 constexpr uint32_t kOpTypePointer = 32;
+constexpr uint32_t kOpFunctionEnd = 56;
 constexpr uint32_t kOpVariable = 59;
 constexpr uint32_t kOpDecorate = 71;
 constexpr uint32_t kOpMemberDecorate = 72;
@@ -74,6 +75,7 @@ SpirvInfo inspectSpirv(Span<const uint32_t> words)
     SpirvInfo info;
     if (words.size() < kHeaderWords || words[0] != kMagic) return {"the shader is not SPIR-V", {}};
     bool hasMain = false;
+    uint32_t lastOpcode = 0;
     Declarations declarations;
     for (size_t at = kHeaderWords; at < words.size();)
     {
@@ -83,9 +85,11 @@ SpirvInfo inspectSpirv(Span<const uint32_t> words)
         const uint32_t opcode = words[at] & 0xffff;
         if (opcode == kOpEntryPoint) hasMain = hasMain || isComputeMain(instruction);
         declarations.read(opcode, instruction);
+        lastOpcode = opcode;
         at += length;
     }
     if (!hasMain) return {"the shader has no compute entry point 'main'", {}};
+    if (lastOpcode != kOpFunctionEnd) return {"the shader is cut off", {}}; // between two instructions
     for (const auto& [id, binding] : declarations.bindings)
     {
         info.bindings.push_back(binding);
