@@ -26,16 +26,21 @@ function(nrd_add_shader name file)
     list(TRANSFORM includes PREPEND "-I")
     list(TRANSFORM ARG_DEFINES PREPEND "-D" OUTPUT_VARIABLE defines)
     add_custom_command(
-        OUTPUT "${stem}.cpp"
+        OUTPUT "${stem}.raw.spv" # the name glslang writes into the dependency file
         COMMAND "${CMAKE_COMMAND}" -E make_directory "${CMAKE_CURRENT_BINARY_DIR}/${target}"
         COMMAND "${NRD_GLSLANG}" --quiet --target-env vulkan1.1 --glsl-version 460 -S comp ${includes} ${defines}
                 --depfile "${stem}.d" -o "${stem}.raw.spv" "${source}"
+        DEPFILE "${stem}.d"
+        DEPENDS "${source}"
+        COMMENT "Shader ${name}"
+        VERBATIM)
+    add_custom_command(
+        OUTPUT "${stem}.cpp"
         COMMAND "${NRD_SPIRV_OPT}" -O "${stem}.raw.spv" -o "${stem}.spv"
         COMMAND "${CMAKE_COMMAND}" -DINPUT=${stem}.spv -DOUTPUT=${stem}.cpp -DNAME=${name} -DNAMESPACE=${namespace}
                 -P "${PROJECT_SOURCE_DIR}/cmake/EmbedSpirv.cmake"
-        DEPFILE "${stem}.d"
-        DEPENDS "${source}" "${PROJECT_SOURCE_DIR}/cmake/EmbedSpirv.cmake"
-        COMMENT "Shader ${name}"
+        DEPENDS "${stem}.raw.spv" "${PROJECT_SOURCE_DIR}/cmake/EmbedSpirv.cmake"
+        COMMENT "Embedding ${name}"
         VERBATIM)
     string(REPLACE ";" "\", \"" json_defines "${ARG_DEFINES}")
     if(json_defines)

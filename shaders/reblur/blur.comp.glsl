@@ -25,6 +25,7 @@ void main()
     // Copied before any exit: a stale depth in sky would let the next frame accept garbage.
     float storedViewZ = texelFetch(gIn_ViewZ, guideTexel(position), 0).x;
     imageStore(gOut_PrevViewZ, position, vec4(storedViewZ));
+    if (texelFetch(gIn_Tiles, position / TILE_SIZE, 0).x > 0.5) return;
     float viewZ = decodeViewZ(storedViewZ);
     if (!isInRange(viewZ)) return;
     Pixel p = makePixel(position, viewZ, decodeGuide(texelFetch(gIn_NormalRoughness, guideTexel(position), 0)));

@@ -86,6 +86,7 @@ Stabilized stabilize(int lobe, float luma, float history, float quality, float n
     // At high frame rates a single frame's difference means less.
     float tolerance = g.antilagSensitivity * square(g.frameRateScale);
     float antilag = 1.0 / (1.0 + difference * quality * n / tolerance);
+    if (g.stabilizationStrength == 0.0) antilag = 1.0; // no stabilised history yet: nothing to compare with
 
     float trust = quality * (1.0 - convergence(n));
     float width = box.sigma * (1.0 + 3.0 * g.frameRateScale * trust);
