@@ -33,13 +33,15 @@ ConstantRing::ConstantRing(rhi::Device& device, const ConstantRingDesc& desc)
 const rhi::DescriptorSet& ConstantRing::descriptorSet(const rhi::Pipeline& pipeline)
 {
     if (m_descriptorSet) return *m_descriptorSet;
-    m_descriptorSet = &m_pool->allocate(pipeline, m_set);
+    m_pool->reset(); // an attempt that failed half-way may have kept the room
+    rhi::DescriptorSet& set = m_pool->allocate(pipeline, m_set);
     rhi::DescriptorWrite write;
     write.binding = m_binding;
     write.buffer = m_buffer.get();
     write.size = m_maxDataSize;
-    m_descriptorSet->write({write});
-    return *m_descriptorSet;
+    set.write({write});
+    m_descriptorSet = &set;
+    return set;
 }
 
 void ConstantRing::beginFrame(uint32_t slot)

@@ -5,11 +5,11 @@
 
 namespace test
 {
-Gpu::Gpu()
+Gpu::Gpu(bool isValidated)
 {
     rhi::VulkanDeviceDesc desc;
     if (const char* name = std::getenv("NRD_TEST_DEVICE")) desc.adapter = name;
-    desc.isValidationEnabled = std::getenv("NRD_TEST_NO_VALIDATION") == nullptr;
+    desc.isValidationEnabled = isValidated && std::getenv("NRD_TEST_NO_VALIDATION") == nullptr;
     desc.isSyncValidationEnabled = desc.isValidationEnabled;
     desc.messageCallback = [this](rhi::MessageSeverity severity, const std::string& text)
     {

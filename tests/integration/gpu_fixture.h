@@ -12,7 +12,7 @@ namespace test
 class Gpu
 {
 public:
-    Gpu();
+    explicit Gpu(bool isValidated = true);
     ~Gpu(); // reports what validation said, the device's end included
 
     rhi::Device& device() { return *m_device; }

@@ -1,4 +1,5 @@
 // REBLUR through the integration: many passes and textures, so many barriers. What it computes is tested elsewhere.
+#include "allocations.h"
 #include "gpu_fixture.h"
 #include "recording_fixture.h"
 #include <algorithm>
@@ -69,7 +70,9 @@ private:
 
 struct ReblurEngine
 {
-    explicit ReblurEngine(nrd::LayoutPolicy policy = nrd::LayoutPolicy::OPTIMAL, bool isSync2 = true)
+    explicit ReblurEngine(nrd::LayoutPolicy policy = nrd::LayoutPolicy::OPTIMAL, bool isSync2 = true,
+                          bool isValidated = true)
+        : gpu(isValidated)
     {
         desc.native = gpu.native();
         desc.native.isSynchronization2Enabled &= isSync2;
@@ -163,6 +166,35 @@ TEST_CASE("the decorator finds no misuse of the RHI in frames, resizes and failu
     }
     integration.Destroy();
     for (const std::string& text : sentences) FAIL_CHECK(text);
+}
+
+TEST_CASE("a frame takes nothing from the heap once things have settled", "[gpu]")
+{
+    ReblurEngine engine(nrd::LayoutPolicy::OPTIMAL, true, false); // layers allocate as they like
+    for (uint32_t frame = 0; frame < 20; frame++)
+    {
+        rhi::CommandBuffer& commands = engine.frames.begin();
+        const nrd::CommonSettings settings = test::stillCamera(kWidth, kHeight, engine.frameIndex++);
+        nrd::NrdUserPool pool;
+        for (size_t i = 0; i < engine.images.slots.size(); i++)
+            pool[engine.images.slots[i]] = engine.images.images[i].entry;
+        bool isGood = true;
+        size_t allocationCount = 0;
+        {
+            const test::AllocationWatch watch;
+            isGood &= engine.integration.NewFrame() == nrd::Result::SUCCESS;
+            isGood &= engine.integration.SetCommonSettings(settings) == nrd::Result::SUCCESS;
+            isGood &= engine.integration.Denoise(rhi::vulkanCommandBuffer(commands), &kReblur, 1, pool) ==
+                      nrd::Result::SUCCESS;
+            allocationCount = watch.count();
+        }
+        for (size_t i = 0; i < engine.images.slots.size(); i++)
+            engine.images.images[i].entry.state = pool[engine.images.slots[i]].state;
+        engine.frames.end();
+        CHECK(isGood);
+        INFO("frame " << frame);
+        if (frame >= 4) CHECK(allocationCount == 0);
+    }
 }
 
 // Run by name: the time depends on the machine and on what else it does.

@@ -1,4 +1,5 @@
 // Pools, pipelines, cached views and failures, over the recording device.
+#include "allocations.h"
 #include "recording_fixture.h"
 #include <map>
 
@@ -124,6 +125,39 @@ TEST_CASE("a failing allocation at any point leaves the object usable or destroy
     }
     CHECK(failures > 50);
     CHECK(failures < 999);
+}
+
+TEST_CASE("an exhausted heap at any point ends in a result, and the object goes on", "[unit]")
+{
+    uint32_t failures = 0;
+    for (size_t n = 1; n < 5000; n++)
+    {
+        INFO("allocation " << n);
+        RecordingFixture f({{3, Denoiser::REBLUR_DIFFUSE_SPECULAR}, {7, Denoiser::REFERENCE}});
+        f.fillReblurSlots();
+        const nrd::Identifier identifiers[] = {3, 7};
+        Result results[4] = {};
+        bool hasFailed = false;
+        {
+            const test::AllocationWatch watch(n);
+            results[0] = nrd::IntegrationAccess::Create(f.integration, f.spy, f.desc, f.instanceDesc);
+            results[1] = f.integration.NewFrame();
+            results[2] = f.integration.SetCommonSettings(test::stillCamera(f.width, f.height, 0));
+            results[3] = f.integration.Denoise(test::fakeCommandBuffer(), identifiers, 2, f.pool);
+            hasFailed = watch.count() >= n;
+        }
+        if (!hasFailed) break;
+        failures++;
+        CHECK((results[0] != Result::SUCCESS || results[3] != Result::SUCCESS));
+        if (!f.integration.IsCreated()) f.requireCreated();
+        f.frameIndex = 1;
+        f.beginFrame();
+        require(f.denoise({3, 7}), f.integration);
+        f.integration.Destroy();
+        CHECK(f.device->objectCount() == 0);
+    }
+    CHECK(failures > 100);
+    CHECK(failures < 4999);
 }
 
 TEST_CASE("resizing every frame grows neither memory nor the number of objects", "[unit]")

@@ -1,0 +1,32 @@
+#include "allocations.h"
+#include <cstdlib>
+#include <new>
+
+namespace
+{
+thread_local bool isWatching = false;
+thread_local size_t allocationCount = 0;
+thread_local size_t failingAllocation = 0;
+} // namespace
+
+// Replaces the program's own; the array and nothrow forms end here as well.
+void* operator new(std::size_t size)
+{
+    if (isWatching && ++allocationCount == failingAllocation) throw std::bad_alloc();
+    if (void* memory = std::malloc(size ? size : 1)) return memory;
+    throw std::bad_alloc();
+}
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+
+namespace test
+{
+AllocationWatch::AllocationWatch(size_t failAt)
+{
+    allocationCount = 0;
+    failingAllocation = failAt;
+    isWatching = true;
+}
+AllocationWatch::~AllocationWatch() { isWatching = false; }
+size_t AllocationWatch::count() const { return allocationCount; }
+} // namespace test
