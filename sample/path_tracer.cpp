@@ -52,31 +52,8 @@ PathTracer::PathTracer(const engine::Device& device, const Scene& scene, const E
                        const TracerDesc& desc)
     : m_device(device), m_desc(desc)
 {
-    for (engine::Image FrameImages::*image :
-         {&FrameImages::normalRoughness, &FrameImages::diffuse, &FrameImages::specular, &FrameImages::diffuseDirection,
-          &FrameImages::specularDirection, &FrameImages::diffuseFactor, &FrameImages::specularFactor,
-          &FrameImages::direct})
-        m_images.*image = createImage("trace signal", VK_FORMAT_R16G16B16A16_SFLOAT);
-    m_images.viewZ = createImage("trace viewZ", VK_FORMAT_R32_SFLOAT);
-    m_images.motion = createImage("trace motion", VK_FORMAT_R32G32B32A32_SFLOAT);
-    m_sumDiffuse = createImage("reference diffuse", VK_FORMAT_R32G32B32A32_SFLOAT);
-    m_sumSpecular = createImage("reference specular", VK_FORMAT_R32G32B32A32_SFLOAT);
-
-    const PackedTexels texels = packTexels(scene);
-    engine::BufferDesc texelDesc;
-    texelDesc.name = "texels";
-    texelDesc.usage = VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT;
-    texelDesc.texelFormat = VK_FORMAT_R8G8B8A8_UNORM;
-    if (texels.rgba.size() / 4 > device.properties().limits.maxTexelBufferElements)
-        throw SceneError("the textures of '" + scene.name + "' have more texels than the device can address");
-    m_texels = engine::createFilled(device, texelDesc, std::as_bytes(std::span(texels.rgba)));
-    store(m_materials, "materials", packMaterials(scene, texels));
-    store(m_environment, "environment", environment ? packEnvironment(*environment) : Words(2, glm::uvec4(0)));
-    if (environment) m_environmentConstants = glm::uvec4(environment->width, environment->height, 0, 0);
-    texelDesc.name = "energy table";
-    texelDesc.texelFormat = VK_FORMAT_R32G32B32A32_SFLOAT;
-    const std::vector<glm::vec4> energy = packEnergyTable();
-    m_energy = engine::createFilled(device, texelDesc, std::as_bytes(std::span(energy)));
+    createImages();
+    createTables(scene, environment);
     engine::BufferDesc constants;
     constants.name = "trace constants";
     constants.byteSize = sizeof(TraceConstants);
@@ -88,14 +65,50 @@ PathTracer::PathTracer(const engine::Device& device, const Scene& scene, const E
     m_plain = createProgram(scene, environment, 2);
 }
 
-engine::Image PathTracer::createImage(const char* name, VkFormat format) const
+void PathTracer::createImages()
 {
-    engine::ImageDesc desc;
-    desc.name = name;
-    desc.width = m_desc.width;
-    desc.height = m_desc.height;
-    desc.format = format;
-    return engine::Image(m_device, desc);
+    const auto create = [&](const char* name, VkFormat format)
+    {
+        engine::ImageDesc desc;
+        desc.name = name;
+        desc.width = m_desc.width;
+        desc.height = m_desc.height;
+        desc.format = format;
+        return engine::Image(m_device, desc);
+    };
+    m_images.viewZ = create("traced viewZ", VK_FORMAT_R32_SFLOAT);
+    const std::pair<engine::Image*, const char*> vectors[] = {
+        {&m_images.normalRoughness, "traced normal"},
+        {&m_images.motion, "traced motion"},
+        {&m_images.diffuse, "traced diffuse"},
+        {&m_images.specular, "traced specular"},
+        {&m_images.diffuseDirection, "traced diffuse direction"},
+        {&m_images.specularDirection, "traced specular direction"},
+        {&m_images.diffuseFactor, "traced diffuse factor"},
+        {&m_images.specularFactor, "traced specular factor"},
+        {&m_images.direct, "traced direct"},
+        {&m_sumDiffuse, "reference diffuse"},
+        {&m_sumSpecular, "reference specular"}};
+    for (const auto& [image, name] : vectors) *image = create(name, VK_FORMAT_R32G32B32A32_SFLOAT);
+}
+
+void PathTracer::createTables(const Scene& scene, const Environment* environment)
+{
+    const PackedTexels texels = packTexels(scene);
+    if (texels.rgba.size() / 4 > m_device.properties().limits.maxTexelBufferElements)
+        throw SceneError("the textures of '" + scene.name + "' have more texels than the device can address");
+    engine::BufferDesc desc;
+    desc.name = "texels";
+    desc.usage = VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT;
+    desc.texelFormat = VK_FORMAT_R8G8B8A8_UNORM;
+    m_texels = engine::createFilled(m_device, desc, std::as_bytes(std::span(texels.rgba)));
+    const std::vector<glm::vec4> energy = packEnergyTable();
+    desc.name = "energy table";
+    desc.texelFormat = VK_FORMAT_R32G32B32A32_SFLOAT;
+    m_energy = engine::createFilled(m_device, desc, std::as_bytes(std::span(energy)));
+    store(m_materials, "materials", packMaterials(scene, texels));
+    store(m_environment, "environment", environment ? packEnvironment(*environment) : Words(2, glm::uvec4(0)));
+    if (environment) m_environmentConstants = glm::uvec4(environment->width, environment->height, 0, 0);
 }
 
 PathTracer::Program PathTracer::createProgram(const Scene& scene, const Environment* environment, uint32_t mode) const

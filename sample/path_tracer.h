@@ -18,15 +18,16 @@ struct TracerDesc
     glm::vec3 hitDistanceParameters = glm::vec3(3.0f, 0.1f, 20.0f); // A (world units), B, C
 };
 
-/// What one frame leaves behind; formats and meaning as in the capture format, unless noted.
+/// What one frame leaves behind; meaning as in the capture format, unless noted. Floats, so that no device's rounding
+/// on the way to half floats takes energy away.
 struct FrameImages
 {
     engine::Image viewZ;           // R32F, negative; sky: -2 * denoisingRange
-    engine::Image normalRoughness; // RGBA16F
-    engine::Image motion;          // RGBA32F, .w: material id
-    engine::Image diffuse;         // RGBA16F, .w: hit distance in world units
+    engine::Image normalRoughness; // this and the rest RGBA32F
+    engine::Image motion;          // .w: material id
+    engine::Image diffuse;         // .w: hit distance in world units
     engine::Image specular;
-    engine::Image diffuseDirection; // RGBA16F
+    engine::Image diffuseDirection;
     engine::Image specularDirection;
     engine::Image diffuseFactor;
     engine::Image specularFactor;
@@ -78,6 +79,8 @@ public:
     float denoisingRange() const { return m_denoisingRange; }
 
 private:
+    void createImages();
+    void createTables(const Scene& scene, const Environment* environment);
     struct Program
     {
         engine::ComputePipeline pipeline;
@@ -87,8 +90,6 @@ private:
     void record(VkCommandBuffer cmd, Program& program, const std::vector<engine::Image*>& targets, const View& view,
                 const glm::uvec4& sampling);
     void store(engine::Buffer& buffer, const char* name, const Words& words);
-    engine::Image createImage(const char* name, VkFormat format) const;
-
     const engine::Device& m_device;
     TracerDesc m_desc;
     BvhBuilder m_builder;

@@ -41,11 +41,11 @@ std::vector<Material> makeMaterials()
         makeMaterial("red", glm::vec3(0.63f, 0.06f, 0.05f), 0.0f, 0.9f),
         makeMaterial("green", glm::vec3(0.12f, 0.45f, 0.09f), 0.0f, 0.9f),
         makeMaterial("floor", glm::vec3(0.55f, 0.52f, 0.48f), 0.0f, 0.35f),
-        makeMaterial("metal", glm::vec3(0.95f, 0.78f, 0.55f), 1.0f, 0.2f),
+        makeMaterial("metal", glm::vec3(0.95f, 0.78f, 0.55f), 1.0f, 0.35f),
         makeMaterial("plastic", glm::vec3(0.15f, 0.3f, 0.65f), 0.0f, 0.15f),
         makeMaterial("lamp", glm::vec3(0.8f), 0.0f, 1.0f),
     };
-    materials[Lamp].emission = glm::vec3(17.0f, 13.5f, 9.5f);
+    materials[Lamp].emission = glm::vec3(12.0f, 9.6f, 7.0f);
     return materials;
 }
 
@@ -97,8 +97,8 @@ Mesh makeRoom()
     mesh.primitives.push_back(makeQuad(White, high, -y, -x)); // behind the camera
     mesh.primitives.push_back(makeQuad(Red, low, y, z));
     mesh.primitives.push_back(makeQuad(Green, high, -z, -y));
-    const glm::vec3 corner(-0.7f, kHeight - 0.02f, -1.3f);
-    mesh.primitives.push_back(makeQuad(Lamp, corner, glm::vec3(1.4f, 0, 0), glm::vec3(0, 0, 1.0f)));
+    const glm::vec3 corner(-1.1f, kHeight - 0.02f, -1.7f);
+    mesh.primitives.push_back(makeQuad(Lamp, corner, glm::vec3(2.2f, 0, 0), glm::vec3(0, 0, 1.6f)));
     return mesh;
 }
 
@@ -121,6 +121,14 @@ template <class F> AnimationChannel makeChannel(int node, AnimationPath path, ui
 
 glm::vec4 turnAboutY(float angle) { return {0.0f, std::sin(0.5f * angle), 0.0f, std::cos(0.5f * angle)}; }
 
+// `tilt` about the turned X axis: negative looks down.
+glm::vec4 turnAndTilt(float angle, float tilt)
+{
+    const glm::quat turn = glm::angleAxis(angle, glm::vec3(0, 1, 0)), pitch = glm::angleAxis(tilt, glm::vec3(1, 0, 0));
+    const glm::quat q = turn * pitch;
+    return {q.x, q.y, q.z, q.w};
+}
+
 Node makeNode(const char* name, int mesh, const glm::vec3& translation, float angle)
 {
     Node node;
@@ -142,15 +150,15 @@ Scene makeCornellBox()
     scene.meshes.push_back({{makeBlock(Metal, glm::vec3(1.15f, 2.1f, 1.15f))}, {}});
     scene.meshes.push_back({{makeBlock(Plastic, glm::vec3(1.0f, 1.0f, 1.0f))}, {}});
     scene.nodes.push_back(makeNode("room", 0, glm::vec3(0.0f), 0.0f));
-    scene.nodes.push_back(makeNode("metal block", 1, glm::vec3(-0.95f, 0.0f, -1.35f), 0.35f));
-    scene.nodes.push_back(makeNode("plastic block", 2, glm::vec3(0.95f, 0.0f, -0.25f), -0.3f));
+    scene.nodes.push_back(makeNode("metal block", 1, glm::vec3(-0.95f, 0.0f, -1.5f), 0.35f));
+    scene.nodes.push_back(makeNode("plastic block", 2, glm::vec3(0.95f, 0.0f, -0.5f), -0.3f));
     scene.nodes.push_back(makeNode("camera", kNone, glm::vec3(0.0f, 1.6f, 3.2f), 0.0f));
     scene.nodes.back().camera = 0;
-    scene.cameras.push_back({0.82f, 0.05f});
+    scene.cameras.push_back({0.9f, 0.05f});
     scene.channels.push_back(makeChannel(2, AnimationPath::Translation, 3,
                                          [](float phase) {
                                              return glm::vec3(0.95f + 0.45f * std::sin(phase), 0.0f,
-                                                              -0.25f + 0.3f * (1.0f - std::cos(phase)));
+                                                              -0.5f + 0.3f * (1.0f - std::cos(phase)));
                                          }));
     scene.channels.push_back(makeChannel(2, AnimationPath::Rotation, 4,
                                          [](float phase) { return turnAboutY(-0.3f + 0.5f * std::sin(phase)); }));
@@ -160,8 +168,8 @@ Scene makeCornellBox()
                                              return glm::vec3(0.55f * std::sin(phase), 1.6f + 0.1f * std::sin(phase),
                                                               3.2f - 0.25f * (1.0f - std::cos(phase)));
                                          }));
-    scene.channels.push_back(
-        makeChannel(3, AnimationPath::Rotation, 4, [](float phase) { return turnAboutY(0.12f * std::sin(phase)); }));
+    scene.channels.push_back(makeChannel(3, AnimationPath::Rotation, 4,
+                                         [](float phase) { return turnAndTilt(0.12f * std::sin(phase), -0.08f); }));
     scene.duration = kDuration;
     return scene;
 }

@@ -52,7 +52,7 @@ PathSums tracePaths(Surface primary, float viewZ, float width, vec3 diffuseFacto
 
     Surface s = primary;
     Bsdf bsdf = makeBsdf(primary);
-    uint lobes = 0u, bounce = 0u, pathSeed = 0u, index = 0u;
+    uint lobes = 0u, firstLobes = 0u, bounce = 0u, pathSeed = 0u, index = 0u;
     vec3 throughput = vec3(1.0), radiance = vec3(0.0), firstDirection = vec3(0.0);
     float firstDistance = 0.0, spread = 0.0, rayWidth = width;
     bool isNew = true;
@@ -63,6 +63,7 @@ PathSums tracePaths(Surface primary, float viewZ, float width, vec3 diffuseFacto
             s = primary;
             bsdf = makeBsdf(primary);
             lobes = !isSplit ? kDiffuseLobe | kSpecularLobe : hasDiffuse && (item & 1u) == 0u ? kDiffuseLobe : kSpecularLobe;
+            firstLobes = lobes;
             index = g.sampling.y + (hasDiffuse ? item >> 1 : item);
             pathSeed = hash(seed ^ (lobes * 0x9E3779B9u));
             bounce = 0u;
@@ -129,7 +130,7 @@ PathSums tracePaths(Surface primary, float viewZ, float width, vec3 diffuseFacto
         isAlive = isAlive && bounce < g.environment.w && max(throughput.r, max(throughput.g, throughput.b)) > 1e-5;
         if (!isAlive)
         {
-            bool isDiffuse = lobes == kDiffuseLobe;
+            bool isDiffuse = firstLobes == kDiffuseLobe;
             vec3 demodulated = bounded(!isSplit ? radiance : radiance / (isDiffuse ? diffuseFactor : specularFactor));
             float scale = isDiffuse ? diffuseScale : specularScale;
             float normalized = firstDistance >= kMiss ? 1.0 : clamp(firstDistance / scale, 0.0, 1.0);

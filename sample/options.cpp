@@ -1,0 +1,159 @@
+#include "options.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <nrd/descs.h>
+
+namespace sample
+{
+namespace
+{
+const std::map<std::string, DenoiserChoice> kDenoisers = {
+    {"NONE", DenoiserChoice::None},
+    {"REFERENCE", DenoiserChoice::Reference},
+    {"REBLUR_DIFFUSE_SPECULAR", DenoiserChoice::ReblurDiffuseSpecular}};
+
+constexpr const char* kFooter =
+    "Without SCENE the built-in Cornell box is shown. A path whose demodulated radiance exceeds 250 is dimmed to it,\n"
+    "in frames and references alike; there is no other bias but the limit of --bounces.\n"
+    "Exit code 0 means that everything asked for was done.";
+
+// "960x540"
+void parseSize(const std::string& text, Options& options)
+{
+    unsigned width = 0, height = 0;
+    int length = 0;
+    if (std::sscanf(text.c_str(), "%ux%u%n", &width, &height, &length) != 2 || size_t(length) != text.size() ||
+        width < 16 || width > 8192 || height < 16 || height > 8192)
+        throw CLI::ValidationError("--size", "'" + text + "' is not WxH with both in [16; 8192]");
+    options.width = width;
+    options.height = height;
+}
+
+void checkPicture(const std::filesystem::path& file, const char* option)
+{
+    const std::string extension = file.extension().string();
+    if (!file.empty() && extension != ".png" && extension != ".exr")
+        throw CLI::ValidationError(option, "'" + file.string() + "' does not end in .png or .exr");
+}
+
+void addOptions(CLI::App& app, Options& o)
+{
+    app.add_option("SCENE", o.scene, "glTF 2.0 file, .gltf or .glb");
+    app.add_flag("--headless", o.isHeadless, "Render without a window");
+    app.add_option("--denoiser", o.denoiser, "REBLUR_DIFFUSE_SPECULAR, REFERENCE or NONE")
+        ->transform(CLI::CheckedTransformer(kDenoisers, CLI::ignore_case))
+        ->option_text("NAME");
+    app.add_option("--environment", o.environment, "Equirectangular picture, .hdr or .exr");
+    app.add_option_function<std::string>(
+           "--size", [&o](const std::string& s) { parseSize(s, o); }, "Resolution in pixels, default 480x270")
+        ->option_text("WxH");
+    app.add_option("--frames", o.frames, "Frames to render, default 32")->check(CLI::Range(1, 100000));
+    app.add_option("--fps", o.framesPerSecond, "Frames per second of animation time, default 60")
+        ->check(CLI::Range(1.0, 1000.0));
+    app.add_option("--bounces", o.bounces, "Rays of a path after the primary one, default 4")->check(CLI::Range(1, 64));
+    app.add_flag("--jitter", o.hasJitter, "Move the sub-pixel position from frame to frame");
+    app.add_option("--seed", o.seed, "Of the noise, default 0");
+    app.add_option("--screenshot", o.screenshot, "Denoised picture of the last frame, .png or .exr");
+    app.add_option("--noisy-screenshot", o.noisyScreenshot, "Noisy picture of the last frame");
+    app.add_option("--reference-screenshot", o.referenceScreenshot,
+                   "Reference of the last frame, with --reference-spp samples (default 256)");
+    app.add_option("--capture", o.capture, "Folder to record all signals to")->option_text("DIR");
+    app.add_option("--reference-spp", o.referenceSpp, "Samples per pixel of references, 0 = none")
+        ->check(CLI::Range(0, 1000000));
+    app.add_option_function<std::string>(
+           "--reference-frames",
+           [&o](const std::string& text)
+           {
+               try
+               {
+                   o.referenceFrames = parseReferenceFrames(text);
+               }
+               catch (const std::invalid_argument& error)
+               {
+                   throw CLI::ValidationError("--reference-frames", error.what());
+               }
+           },
+           "List (7,8,15,16), or every-K for the pairs (K-1,K), (2K-1,2K); default every-8")
+        ->option_text("LIST");
+    app.add_option("--demo", o.demo, "Folder for noisy, denoised and reference pictures; prints the table of errors")
+        ->option_text("DIR");
+    app.add_option("--device", o.device, "Index or part of the name of the Vulkan device");
+    app.add_flag("--list-devices", o.listDevices, "Print the Vulkan devices and exit");
+    app.add_flag("--validation", o.validation, "Khronos validation with synchronisation; any message is a failure");
+}
+
+// What depends on more than one option.
+void complete(Options& o)
+{
+    checkPicture(o.screenshot, "--screenshot");
+    checkPicture(o.noisyScreenshot, "--noisy-screenshot");
+    checkPicture(o.referenceScreenshot, "--reference-screenshot");
+    const bool needsReference = !o.demo.empty() || !o.referenceScreenshot.empty();
+    if (needsReference && o.referenceSpp == 0) o.referenceSpp = 256;
+    const bool hasFrames = o.referenceFrames.every != 0 || !o.referenceFrames.list.empty();
+    if (o.referenceSpp > 0 && !hasFrames && (!o.capture.empty() || !o.demo.empty())) o.referenceFrames.every = 8;
+    if (!o.referenceScreenshot.empty()) o.referenceFrames.list.push_back(o.frames - 1);
+    if (!o.demo.empty() && o.denoiser == DenoiserChoice::None)
+        throw CLI::ValidationError("--demo", "there is nothing to show with --denoiser NONE");
+}
+} // namespace
+
+bool ReferenceFrames::contains(uint32_t frame) const
+{
+    if (std::find(list.begin(), list.end(), frame) != list.end()) return true;
+    return every > 0 && ((frame > 0 && frame % every == 0) || (frame + 1) % every == 0);
+}
+
+ReferenceFrames parseReferenceFrames(const std::string& text)
+{
+    const auto toNumber = [&](const std::string& part)
+    {
+        if (part.empty() || part.size() > 6 || part.find_first_not_of("0123456789") != std::string::npos)
+            throw std::invalid_argument("'" + text + "' is neither a list of frames nor every-K");
+        return static_cast<uint32_t>(std::stoul(part));
+    };
+    ReferenceFrames frames;
+    if (text.rfind("every-", 0) == 0)
+    {
+        frames.every = toNumber(text.substr(6));
+        if (frames.every < 2) throw std::invalid_argument("the K of every-K must be at least 2");
+        return frames;
+    }
+    for (size_t at = 0; at <= text.size();)
+    {
+        const size_t comma = std::min(text.find(',', at), text.size());
+        frames.list.push_back(toNumber(text.substr(at, comma - at)));
+        at = comma + 1;
+    }
+    return frames;
+}
+
+std::optional<Options> parseOptions(int argumentCount, char** arguments, int& exitCode)
+{
+    Options options;
+    CLI::App app("Path traces a glTF scene, denoises it and writes pictures, captures and error figures", "nrd-sample");
+    app.set_version_flag("--version", "nrd-sample " + std::to_string(nrd::kVersionMajor) + "." +
+                                          std::to_string(nrd::kVersionMinor) + "." +
+                                          std::to_string(nrd::kVersionBuild));
+    app.footer(kFooter);
+    addOptions(app, options);
+    try
+    {
+        app.parse(argumentCount, arguments);
+        complete(options);
+        return options;
+    }
+    catch (const CLI::ParseError& error)
+    {
+        const bool isError = error.get_exit_code() != 0;
+        if (isError)
+            std::fprintf(stderr, "error: %s\n", error.what());
+        else
+            app.exit(error); // prints the help or the version
+        exitCode = isError ? 1 : 0;
+        return std::nullopt;
+    }
+}
+} // namespace sample

@@ -1,0 +1,232 @@
+#include "renderer.h"
+
+#include "engine/transfer.h"
+#include "gltf.h"
+#include "scene_cornell.h"
+
+#include <algorithm>
+#include <glm/gtc/type_ptr.hpp>
+
+namespace sample
+{
+namespace
+{
+constexpr uint32_t kFramesInFlight = 2;
+constexpr uint32_t kBatch = 8; // samples of one submission: short enough for the watchdogs of desktop GPUs
+
+TracerDesc tracerDesc(const Options& options)
+{
+    TracerDesc desc;
+    desc.width = options.width;
+    desc.height = options.height;
+    desc.seed = options.seed;
+    desc.maxBounces = options.bounces;
+    return desc;
+}
+
+DenoiseDesc denoiseDesc(const Options& options)
+{
+    DenoiseDesc desc;
+    desc.denoiser = options.denoiser;
+    desc.width = options.width;
+    desc.height = options.height;
+    desc.framesInFlight = kFramesInFlight;
+    return desc;
+}
+
+const Environment* environmentOf(const Stage& stage) { return stage.environment ? &*stage.environment : nullptr; }
+
+Image readPicture(const engine::Device& device, engine::Image& source)
+{
+    Image picture(static_cast<int>(source.desc().width), static_cast<int>(source.desc().height));
+    picture.rgba = engine::readBackAs<float>(device, source);
+    return picture;
+}
+
+// The first `count` components of a picture as planes.
+Picture toPlanes(const Image& image, size_t first, size_t count)
+{
+    Picture picture(image.width, image.height, count);
+    for (size_t c = 0; c < count; ++c)
+        for (size_t i = 0; i < picture.pixelCount(); ++i) picture.planes[c][i] = image.rgba[i * 4 + first + c];
+    return picture;
+}
+
+Matrix toMatrix(const glm::mat4& m)
+{
+    Matrix out;
+    for (int i = 0; i < 16; ++i) out[size_t(i)] = double(m[i / 4][i % 4]);
+    return out;
+}
+
+// first..first+2 of `planes` as a picture.
+Image toImage(const Planes& planes, Channel first)
+{
+    Image image(planes.width, planes.height);
+    for (size_t i = 0; i < planes.pixelCount(); ++i)
+    {
+        for (int c = 0; c < 3; ++c) image.rgba[i * 4 + size_t(c)] = planes[next(first, c)][i];
+        image.rgba[i * 4 + 3] = 1.0f;
+    }
+    return image;
+}
+} // namespace
+
+Stage loadStage(const Options& options)
+{
+    Stage stage;
+    stage.scene = options.scene.empty() ? makeCornellBox() : loadGltf(options.scene);
+    if (options.scene.empty()) stage.notes.push_back("No scene was given: showing the built-in Cornell box.");
+    if (!options.environment.empty()) stage.environment = makeEnvironment(readImage(options.environment));
+    if (!stage.environment && !hasLights(stage.scene))
+    {
+        stage.environment = makeSky();
+        stage.notes.push_back("The scene has no light: lighting it with the default sky.");
+    }
+    return stage;
+}
+
+Renderer::Renderer(const engine::Device& device, const Stage& stage, const Options& options)
+    : m_device(device), m_stage(stage), m_options(options), m_pose(stage.scene),
+      m_tracer(device, stage.scene, environmentOf(stage), tracerDesc(options)), m_denoise(device, denoiseDesc(options)),
+      m_ring(device, kFramesInFlight)
+{
+    const float aspect = float(options.width) / float(options.height);
+    if (!findCamera(stage.scene, m_pose, aspect)) m_framing = frameBounds(m_pose.bounds(), aspect);
+    m_tracer.setPose(stage.scene, m_pose, environmentOf(stage));
+}
+
+Camera Renderer::currentCamera() const
+{
+    const float aspect = float(m_options.width) / float(m_options.height);
+    return m_framing ? *m_framing : *findCamera(m_stage.scene, m_pose, aspect);
+}
+
+void Renderer::renderFrame()
+{
+    const uint32_t index = m_nextFrame++;
+    if (m_pose.isAnimated())
+    {
+        m_pose.update(double(index) / double(m_options.framesPerSecond));
+        if (index == 0) m_pose.forgetPrevious();
+        m_tracer.setPose(m_stage.scene, m_pose, environmentOf(m_stage));
+    }
+    m_frame.view.camera = currentCamera();
+    m_frame.view.jitter = m_options.hasJitter ? jitterOf(index) : glm::vec2(0.0f);
+    m_frame.view.frameIndex = index;
+    m_frame.denoisingRange = m_tracer.denoisingRange();
+    m_frame.deltaTimeMs = 1000.0f / m_options.framesPerSecond;
+    m_frame.isCut = index == 0;
+    VkCommandBuffer cmd = m_ring.begin();
+    m_tracer.recordFrame(cmd, m_frame.view);
+    m_denoise.record(cmd, m_tracer.images(), m_frame);
+    m_ring.submit();
+    m_ring.waitAll();
+}
+
+Planes Renderer::readFrame()
+{
+    FrameImages& images = m_tracer.images();
+    Planes planes(static_cast<int>(m_options.width), static_cast<int>(m_options.height));
+    planes[Channel::ViewZ] = engine::readBackAs<float>(m_device, images.viewZ);
+    const Image surface = readPicture(m_device, images.normalRoughness);
+    planes.set(Channel::NormalX, surface, 3);
+    planes.set(Channel::Roughness, surface, 1, 3);
+    const Image motion = readPicture(m_device, images.motion);
+    planes.set(Channel::MotionX, motion, 3);
+    planes.set(Channel::MaterialId, motion, 1, 3);
+    planes.set(Channel::DiffuseR, readPicture(m_device, images.diffuse), 4);
+    planes.set(Channel::DiffuseDX, readPicture(m_device, images.diffuseDirection), 3);
+    planes.set(Channel::SpecularR, readPicture(m_device, images.specular), 4);
+    planes.set(Channel::SpecularDX, readPicture(m_device, images.specularDirection), 3);
+    planes.set(Channel::DiffuseFactorR, readPicture(m_device, images.diffuseFactor), 3);
+    planes.set(Channel::SpecularFactorR, readPicture(m_device, images.specularFactor), 3);
+    planes.set(Channel::DirectR, readPicture(m_device, images.direct), 3);
+    return planes;
+}
+
+Planes Renderer::traceReference(const Planes& frame, uint32_t samples, const std::function<void(double)>& progress)
+{
+    for (uint32_t first = 0; first < samples; first += kBatch)
+    {
+        const ReferenceBatch batch = {first, std::min(kBatch, samples - first)};
+        engine::submitAndWait(m_device,
+                              [&](VkCommandBuffer cmd) { m_tracer.recordReference(cmd, m_frame.view, batch); });
+        progress(double(first + batch.count) / double(samples));
+    }
+    return readSums(samples, frame);
+}
+
+Planes Renderer::readSums(uint32_t samples, const Planes& frame)
+{
+    Image diffuse = readPicture(m_device, m_tracer.sumDiffuse());
+    Image specular = readPicture(m_device, m_tracer.sumSpecular());
+    for (Image* image : {&diffuse, &specular})
+        for (float& x : image->rgba) x /= float(samples);
+    Planes planes(frame.width, frame.height);
+    planes.set(Channel::RefDiffuseR, diffuse, 4); // .w: the normalised hit distance
+    planes.set(Channel::RefSpecularR, specular, 4);
+    Image composed(frame.width, frame.height);
+    for (size_t i = 0; i < frame.pixelCount(); ++i)
+    {
+        for (int c = 0; c < 3; ++c)
+            composed.rgba[i * 4 + size_t(c)] =
+                frame[next(Channel::DirectR, c)][i] +
+                frame[next(Channel::DiffuseFactorR, c)][i] * diffuse.rgba[i * 4 + size_t(c)] +
+                frame[next(Channel::SpecularFactorR, c)][i] * specular.rgba[i * 4 + size_t(c)];
+    }
+    planes.set(Channel::RefComposedR, composed, 3);
+    return planes;
+}
+
+Signals Renderer::readDenoised()
+{
+    Signals signals;
+    if (m_options.denoiser != DenoiserChoice::ReblurDiffuseSpecular) return signals;
+    const Image diffuse = readPicture(m_device, m_denoise.diffuse());
+    const Image specular = readPicture(m_device, m_denoise.specular());
+    signals[Signal::Diffuse] = toPlanes(diffuse, 0, 3);
+    signals[Signal::Specular] = toPlanes(specular, 0, 3);
+    signals[Signal::NormHitDist] = toPlanes(diffuse, 3, 1);
+    signals[Signal::SpecularNormHitDist] = toPlanes(specular, 3, 1);
+    return signals;
+}
+
+Image Renderer::readComposed() { return readPicture(m_device, m_denoise.composed()); }
+
+CaptureFrame Renderer::captureFrame() const
+{
+    CaptureFrame frame;
+    frame.deltaTimeMs = double(m_frame.deltaTimeMs);
+    frame.jitter = {double(m_frame.view.jitter.x), double(m_frame.view.jitter.y)};
+    frame.isCut = m_frame.isCut;
+    frame.viewToClip = toMatrix(m_frame.view.camera.viewToClip);
+    frame.worldToView = toMatrix(m_frame.view.camera.worldToView);
+    return frame;
+}
+
+CaptureInfo Renderer::captureInfo() const
+{
+    CaptureInfo info;
+    info.name = m_stage.scene.name;
+    info.width = static_cast<int>(m_options.width);
+    info.height = static_cast<int>(m_options.height);
+    info.denoisingRange = double(m_tracer.denoisingRange());
+    const glm::vec3 h = m_tracer.desc().hitDistanceParameters;
+    info.hitDistanceParameters = {double(h.x), double(h.y), double(h.z), -25.0};
+    return info;
+}
+
+Image composeNoisy(const Planes& frame)
+{
+    Image image = toImage(frame, Channel::DirectR);
+    for (size_t i = 0; i < frame.pixelCount(); ++i)
+        for (int c = 0; c < 3; ++c)
+            image.rgba[i * 4 + size_t(c)] +=
+                frame[next(Channel::DiffuseR, c)][i] * frame[next(Channel::DiffuseFactorR, c)][i] +
+                frame[next(Channel::SpecularR, c)][i] * frame[next(Channel::SpecularFactorR, c)][i];
+    return image;
+}
+
+Image composedOf(const Planes& reference) { return toImage(reference, Channel::RefComposedR); }
+} // namespace sample
