@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 
 #include <cstdio>
+#include <fstream>
 #include <iostream>
 #include <unistd.h>
 
@@ -45,7 +46,8 @@ void declareOptions(CLI::App& app, Options& options)
     app.add_option("--peer", options.peer, "File with recorded figures, printed beside ours");
     app.add_option("--set", options.settings, "key=value: any field of the common or the denoiser's settings")
         ->take_all();
-    app.add_option("--frames", options.frameCount, "Replay only so many frames")->check(CLI::PositiveNumber);
+    app.add_option("--frames", options.frameCount, "Replay only so many frames")
+        ->check(CLI::Range(size_t(1), size_t(1000000)));
     app.add_option("--summary", options.summary, "Print one table of these reports instead of replaying");
     app.add_option("--device", options.device, "Number or part of the name of the device");
     app.add_flag("--list-devices", options.isDeviceListWanted, "List the Vulkan devices");
@@ -107,6 +109,8 @@ public:
         m_report.device = m_gpu->deviceName();
     }
 
+    const ReplayReport& report() const { return m_report; }
+
     // Everything but the validation layers' verdict is in the report.
     const ReplayReport& run()
     {
@@ -139,6 +143,7 @@ private:
         const Planes frame = m_capture.readFrame(index);
         Signals denoised;
         if (m_gpu) denoised = m_gpu->denoise(frame, hasReference || isWritten);
+        m_report.nonFiniteCount += countNonFinite(denoised);
         if (hasReference)
         {
             m_measurer.add(index, frame, m_capture.readReference(index), m_gpu ? &denoised : nullptr);
@@ -152,9 +157,6 @@ private:
     void write(size_t index, const Signals& denoised, bool hasReference) const
     {
         const std::filesystem::path folder = m_options.out;
-        std::error_code error;
-        std::filesystem::create_directories(folder, error);
-        if (error) throw FileError(folder.string() + " cannot be created: " + error.message());
         writeDenoisedExr(folder, index, denoised);
         writeComposedPng(folder, "denoised", index, denoised[Signal::Composed]);
         if (!hasReference) return;
@@ -169,15 +171,30 @@ private:
     std::unique_ptr<ReplayGpu> m_gpu; // null: NONE
 };
 
+// What would only fail after all the work fails before it.
+void prepareOutputs(const Options& options)
+{
+    if (!options.out.empty())
+    {
+        std::error_code error;
+        std::filesystem::create_directories(options.out, error);
+        if (error) throw FileError(options.out + " cannot be created: " + error.message());
+    }
+    if (!options.report.empty() && !std::ofstream(options.report, std::ios::app))
+        throw FileError(options.report + " cannot be written");
+}
+
 int replay(const Options& options)
 {
     if (options.capture.empty()) throw SettingError("no capture is given; expected the folder of one");
     const ReplayDenoiser& denoiser = chosenDenoiser(options);
     const Capture capture = Capture::open(options.capture);
+    prepareOutputs(options);
     Replay replay(options, capture, denoiser);
+    const std::optional<PeerFigures> peer = peerOf(options, replay.report());
     const ReplayReport& report = replay.run();
     if (!options.report.empty()) writeReport(options.report, report);
-    std::cout << formatReport(report, peerOf(options, report));
+    std::cout << formatReport(report, peer);
     if (const uint32_t messageCount = replay.validationMessageCount())
         throw engine::Error("the validation layers had " + std::to_string(messageCount) + " messages");
     return 0;

@@ -31,8 +31,9 @@ struct ReplayReport
     };
     std::optional<Memory> memory;
     std::vector<SequenceFrame> frames;
-    FrameMeasures noisy;    // means
-    FrameMeasures denoised; // means, empty without a denoiser
+    FrameMeasures noisy;       // means
+    FrameMeasures denoised;    // means, empty without a denoiser
+    size_t nonFiniteCount = 0; // denoised values that are NaN or infinite: the measures take them for 0
 };
 
 // Recorded means of another denoiser on the same capture.

@@ -89,6 +89,8 @@ std::string formatReport(const ReplayReport& report, const std::optional<PeerFig
     if (report.memory)
         text += print("memory: %.2f MiB permanent + %.2f MiB transient, %.2f MiB in all\n", report.memory->permanent,
                       report.memory->transient, report.memory->total);
+    if (report.nonFiniteCount)
+        text += print("WARNING: %zu denoised values are NaN or infinite\n", report.nonFiniteCount);
     if (report.frames.empty()) return text + "no frame has a reference: nothing to measure\n";
     return text + formatMeasures(report, peer);
 }

@@ -137,6 +137,16 @@ void compose(Signals& signals, const Planes& frame, const Signals& reference)
     if (hasAny) signals[Signal::Composed] = composed(frame, signals, reference);
 }
 
+size_t countNonFinite(const Signals& signals)
+{
+    size_t count = 0;
+    for (const Picture& picture : signals.pictures)
+        for (const auto& plane : picture.planes)
+            count += static_cast<size_t>(
+                std::count_if(plane.begin(), plane.end(), [](float v) { return !std::isfinite(v); }));
+    return count;
+}
+
 Mask surfaceMask(const Planes& frame, double denoisingRange)
 {
     Mask mask(frame.pixelCount());

@@ -57,6 +57,9 @@ Signals noisySignals(const Planes& frame, const CaptureInfo& info, const SignalS
 // something that composition needs is in neither.
 void compose(Signals& signals, const Planes& frame, const Signals& reference);
 
+// How many values of all pictures are NaN or infinite.
+size_t countNonFinite(const Signals& signals);
+
 // Pixels nearer than the sky.
 Mask surfaceMask(const Planes& frame, double denoisingRange);
 
