@@ -18,12 +18,6 @@ constexpr BufferState kStorage = {Access::StorageRead | Access::StorageWrite, St
 constexpr uint32_t kSize = 32;
 constexpr uint32_t kGroups = kSize / 8;
 
-bool contains(const std::vector<std::string>& texts, const char* part)
-{
-    return std::any_of(texts.begin(), texts.end(),
-                       [&](const std::string& text) { return text.find(part) != std::string::npos; });
-}
-
 /// Records without submitting: what is hazardous must not run. Returns what was reported.
 std::vector<std::string> reportsOf(TestDevice& device, const std::function<void(CommandBuffer&)>& record)
 {
@@ -41,7 +35,9 @@ void requireHazard(TestDevice& device, const std::vector<std::string>& reports, 
 {
     if (!device.isDecorated() && !hasApiValidation()) return skip("hazards, which only the layers see");
     INFO((reports.empty() ? std::string("nothing was reported") : reports.front()));
-    CHECK(contains(reports, device.isDecorated() ? ofDecorator : ofApi));
+    REQUIRE(!reports.empty());
+    for (const std::string& text : reports) // nothing but the hazard: what is recorded is right otherwise
+        CHECK_THAT(text, containing(device.isDecorated() ? ofDecorator : ofApi));
 }
 
 std::unique_ptr<Texture> makeTexture(Device& device, const char* name)
@@ -147,7 +143,8 @@ TEST_CASE("a chain of steps in one buffer gives the exact result with barriers, 
         [](TestDevice& device)
         {
             constexpr uint32_t kCount = 4096;
-            const auto data = makeBuffer(*device, kCount * 4, BufferUsage::Storage, BufferMemory::Readback, "data");
+            const auto data = makeBuffer(*device, kCount * 4, BufferUsage::Storage | BufferUsage::TransferDst,
+                                         BufferMemory::Readback, "data");
             std::memset(data->mapped(), 0, kCount * 4);
             Pass plusOne(*device, Shader::Step, kOneBuffer, {{0, 1}});
             Pass plusTwo(*device, Shader::Step, kOneBuffer, {{0, 2}});
@@ -168,15 +165,23 @@ TEST_CASE("a chain of steps in one buffer gives the exact result with barriers, 
             const Span<uint32_t> values = mappedAs<uint32_t>(*data);
             CHECK(std::count(values.begin(), values.end(), expected) == kCount);
 
-            const auto reports =
-                reportsOf(device,
-                          [&](CommandBuffer& commands)
-                          {
-                              commands.barrier(BufferBarrier{data.get(), {Access::HostRead, Stage::Host}, kStorage});
-                              plusOne.record(commands, kCount / 64);
-                              plusTwo.record(commands, kCount / 64);
-                          });
-            requireHazard(device, reports, "SYNC-HAZARD-", "buffer 'data' was written since its last barrier");
+            const auto record = [&](CommandBuffer& commands, Access first)
+            {
+                const bool isFill = first == Access::TransferWrite;
+                const BufferState state = {first, isFill ? Stage::Transfer : Stage::Compute};
+                commands.barrier(BufferBarrier{data.get(), {Access::HostRead, Stage::Host}, state});
+                if (isFill) commands.fillBuffer(*data, 0, kCount * 4, 1);
+                plusOne.record(commands, kCount / 64);
+                if (!isFill) plusTwo.record(commands, kCount / 64);
+            };
+            const auto ofSteps = reportsOf(device, [&](CommandBuffer& commands) { record(commands, kStorage.access); });
+            // Between two dispatches the layers of Debian 12 (1.3.239) see no hazard in a storage buffer.
+            if (device.isDecorated())
+                requireHazard(device, ofSteps, "", "buffer 'data' was written since its last barrier");
+            if (device.isDecorated()) return; // it goes by the order of recording, and holds the steps for done
+            const auto ofFill =
+                reportsOf(device, [&](CommandBuffer& commands) { record(commands, Access::TransferWrite); });
+            requireHazard(device, ofFill, "SYNC-HAZARD-", "");
         });
 }
 
