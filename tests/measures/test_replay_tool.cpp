@@ -1,0 +1,199 @@
+// The program itself on a small capture of a constant signal, with the validation layers on.
+#include "catch_compat.h"
+
+#include "capture.h"
+#include "exr.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cstdio>
+#include <fstream>
+#include <random>
+#include <sys/wait.h>
+
+using namespace sample;
+
+namespace
+{
+constexpr int kWidth = 48;
+constexpr int kHeight = 32;
+constexpr int kFrameCount = 10;
+
+struct Outcome
+{
+    int exitCode = -1;
+    std::string text; // stdout and stderr
+};
+
+Outcome run(const std::string& arguments)
+{
+    Outcome outcome;
+    std::FILE* pipe = popen((std::string(NRD_REPLAY) + " " + arguments + " 2>&1").c_str(), "r");
+    REQUIRE(pipe);
+    char buffer[512];
+    while (const size_t count = std::fread(buffer, 1, sizeof(buffer), pipe)) outcome.text.append(buffer, count);
+    const int status = pclose(pipe);
+    if (WIFEXITED(status)) outcome.exitCode = WEXITSTATUS(status);
+    return outcome;
+}
+
+void fill(Planes& planes, Channel first, std::initializer_list<float> values)
+{
+    int offset = 0;
+    for (float value : values) planes[next(first, offset++)].assign(planes.pixelCount(), value);
+}
+
+// A wall that faces the camera, a strip of sky on top; radiance and hit distances are constant.
+Planes makeFrame()
+{
+    Planes frame(kWidth, kHeight);
+    fill(frame, Channel::ViewZ, {5.0f});
+    fill(frame, Channel::NormalX, {0.0f, 0.0f, -1.0f});
+    fill(frame, Channel::Roughness, {0.5f});
+    fill(frame, Channel::MaterialId, {1.0f});
+    fill(frame, Channel::MotionX, {0.0f, 0.0f, 0.0f});
+    fill(frame, Channel::DiffuseR, {0.5f, 1.0f, 0.25f, 1.75f, 0.0f, 0.0f, -1.0f});
+    fill(frame, Channel::SpecularR, {0.25f, 0.5f, 2.0f, 1.75f, 0.0f, 0.0f, -1.0f});
+    fill(frame, Channel::DiffuseFactorR, {0.5f, 0.5f, 0.5f});
+    fill(frame, Channel::SpecularFactorR, {0.25f, 0.25f, 0.25f});
+    // Nothing is reflected by the sky.
+    for (size_t i = 0; i < kWidth * 4; i++)
+    {
+        frame[Channel::ViewZ][i] = 5000.0f;
+        for (int c = 0; c < 7; c++) frame[next(Channel::DiffuseR, c)][i] = frame[next(Channel::SpecularR, c)][i] = 0.0f;
+    }
+    return frame;
+}
+
+Planes makeReference()
+{
+    Planes reference(kWidth, kHeight);
+    fill(reference, Channel::RefDiffuseR, {0.5f, 1.0f, 0.25f, 0.5f});
+    fill(reference, Channel::RefSpecularR, {0.25f, 0.5f, 2.0f});
+    fill(reference, Channel::RefComposedR, {0.3125f, 0.625f, 0.625f});
+    for (size_t i = 0; i < kWidth * 4; i++)
+        for (size_t c = static_cast<size_t>(Channel::RefDiffuseR); c < kChannelCount; c++)
+            if (reference.has(static_cast<Channel>(c))) reference[static_cast<Channel>(c)][i] = 0.0f;
+    return reference;
+}
+
+std::filesystem::path makeCapture(const std::filesystem::path& folder, bool hasNormals)
+{
+    CaptureInfo info;
+    info.name = "constant";
+    info.width = kWidth;
+    info.height = kHeight;
+    CaptureWriter writer(folder, info);
+    for (int i = 0; i < kFrameCount; i++)
+    {
+        CaptureFrame frame;
+        frame.viewToClip = {1.0, 0, 0, 0, 0, 1.5, 0, 0, 0, 0, 1.00001, 1, 0, 0, -0.0100001, 0};
+        frame.worldToView = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+        Planes planes = makeFrame();
+        if (!hasNormals)
+            for (int c = 0; c < 3; c++) planes[next(Channel::NormalX, c)].clear();
+        writer.addFrame(frame, planes);
+        if (i >= 7) writer.addReference(static_cast<size_t>(i), makeReference());
+    }
+    writer.finish();
+    return folder;
+}
+
+struct Folder
+{
+    std::filesystem::path path =
+        std::filesystem::temp_directory_path() / ("nrd-test-replay-" + std::to_string(std::random_device()()));
+    ~Folder()
+    {
+        std::error_code error;
+        std::filesystem::remove_all(path, error);
+    }
+};
+} // namespace
+
+TEST_CASE("a replay of a constant signal gives the signal, its files and its report", "[gpu]")
+{
+    Folder folder;
+    const std::string capture = makeCapture(folder.path / "capture", true).string();
+    const std::string out = (folder.path / "out").string();
+    const std::string report = (folder.path / "report.json").string();
+    const Outcome outcome = run(capture + " --denoiser REBLUR_DIFFUSE_SPECULAR --validation --out " + out +
+                                " --report " + report + " --set maxAccumulatedFrameNum=20");
+    INFO(outcome.text);
+    REQUIRE(outcome.exitCode == 0);
+    const nlohmann::json json = nlohmann::json::parse(std::ifstream(report));
+    CHECK(json["denoiser"] == "REBLUR_DIFFUSE_SPECULAR");
+    CHECK(json["settings"]["maxAccumulatedFrameNum"] == "20");
+    CHECK(json["frames"].size() == 3);
+    CHECK(json["mean"]["denoised"]["diffuse"]["psnr"].get<double>() > 55.0);
+    CHECK(json["mean"]["denoised"]["specular"]["psnr"].get<double>() > 55.0);
+    CHECK(json["mean"]["denoised"]["composed"]["flip"].get<double>() < 0.02);
+    CHECK(json["mean"]["denoised"]["normHitDist"]["rmse"].get<double>() < 2e-3);
+    CHECK(json["mean"]["noisy"]["normHitDist"]["rmse"].get<double>() == 0.0); // 1.75 / (3 + 0.5) = 0.5
+    CHECK(json["memoryMiB"]["permanent"].get<double>() > 0.0);
+
+    const ExrPicture denoised = readExr(folder.path / "out" / "denoised_0009.exr");
+    for (const char* name : {"composed.G", "diffuse.R", "diffuse.normHitDist", "specular.B", "specular.normHitDist"})
+        CHECK(denoised.find(name));
+    CHECK(denoised.find("shadow.V") == nullptr);
+    const size_t pixel = 20 * kWidth + 20;
+    CHECK(denoised.find("diffuse.G")->values[pixel] == test::Approx(1.0).epsilon(2e-3));
+    CHECK(denoised.find("specular.B")->values[pixel] == test::Approx(2.0).epsilon(4e-3));
+    CHECK(denoised.find("diffuse.G")->values[5] == 0.0f); // sky
+    CHECK(std::filesystem::exists(folder.path / "out" / "denoised_0000.exr"));
+    for (const char* name : {"noisy_0008.png", "denoised_0008.png", "reference_0008.png", "denoised_0000.png"})
+        CHECK(std::filesystem::exists(folder.path / "out" / name));
+
+    const Outcome summary = run("--summary " + report);
+    CHECK(summary.exitCode == 0);
+    CHECK_THAT(summary.text, test::contains("constant"));
+}
+
+TEST_CASE("REFERENCE and NONE replay too", "[gpu]")
+{
+    Folder folder;
+    const std::string capture = makeCapture(folder.path / "capture", true).string();
+    const std::string report = (folder.path / "report.json").string();
+    const Outcome reference = run(capture + " --denoiser REFERENCE --validation --report " + report);
+    INFO(reference.text);
+    REQUIRE(reference.exitCode == 0);
+    nlohmann::json json = nlohmann::json::parse(std::ifstream(report));
+    CHECK(json["mean"]["denoised"]["diffuse"]["psnr"].get<double>() > 100.0);
+    CHECK_FALSE(json["mean"]["denoised"].contains("specular"));
+
+    const Outcome none = run(capture + " --denoiser NONE --report " + report);
+    REQUIRE(none.exitCode == 0);
+    json = nlohmann::json::parse(std::ifstream(report));
+    CHECK(json["mean"]["denoised"].empty());
+    CHECK(json["mean"]["noisy"]["composed"]["psnr"] == 120.0);
+    CHECK_FALSE(json.contains("gpuMs"));
+}
+
+TEST_CASE("bad input ends in one sentence and exit code 1", "[gpu]")
+{
+    Folder folder;
+    const std::string capture = makeCapture(folder.path / "capture", true).string();
+    const std::string poor = makeCapture(folder.path / "poor", false).string();
+    const std::pair<std::string, const char*> rows[] = {
+        {"", "no capture"},
+        {"--bogus", "--bogus"},
+        {capture, "--denoiser"},
+        {capture + " --denoiser FOO", "FOO"},
+        {poor + " --denoiser REBLUR_DIFFUSE_SPECULAR", "normal.X"},
+        {capture + " --denoiser REBLUR_DIFFUSE_SPECULAR --set foo=1", "foo"},
+        {capture + " --denoiser REBLUR_DIFFUSE_SPECULAR --set splitScreen=7", "splitScreen"},
+        {capture + " --denoiser REBLUR_DIFFUSE_SPECULAR --device none-such", "none-such"},
+        {capture + " --denoiser NONE --peer /none.json", "/none.json"},
+        {capture + " --denoiser NONE --frames 0", "--frames"},
+        {capture + "-none --denoiser NONE", "capture-none"},
+        {"--summary " + capture + "/capture.json", "capture.json"},
+    };
+    for (const auto& [arguments, expected] : rows)
+    {
+        INFO(arguments);
+        const Outcome outcome = run(arguments);
+        CHECK(outcome.exitCode == 1);
+        CHECK_THAT(outcome.text, test::contains(expected));
+        CHECK(std::count(outcome.text.begin(), outcome.text.end(), '\n') == 1);
+    }
+}
