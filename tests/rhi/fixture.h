@@ -61,6 +61,7 @@ inline void forEachDevice(const std::function<void(TestDevice&)>& body) { forEac
 
 /// False where the validation layer is not installed: hazards then go unreported.
 bool hasApiValidation();
+bool hasVulkan();
 
 void skip(const std::string& text); // notes it once
 const std::vector<std::string>& skipped();
