@@ -14,7 +14,8 @@ ReplayDenoiser row(Denoiser denoiser, Family family, std::vector<Signal> signals
 // clang-format off
 std::vector<ReplayDenoiser> makeTable()
 {
-    constexpr Signal D = Signal::Diffuse, S = Signal::Specular, HD = Signal::NormHitDist, HS = Signal::SpecularNormHitDist;
+    constexpr Signal D = Signal::Diffuse, HD = Signal::NormHitDist;
+    constexpr Signal S = Signal::Specular, HS = Signal::SpecularNormHitDist;
     constexpr Signal V = Signal::Shadow, T = Signal::Translucency;
     return {
         row(Denoiser::REBLUR_DIFFUSE,                       Family::Reblur,    {D, HD}),

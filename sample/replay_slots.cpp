@@ -9,26 +9,51 @@ namespace
 {
 using nrd::ResourceType;
 
-// clang-format off
 constexpr VkFormat kRgba16 = VK_FORMAT_R16G16B16A16_SFLOAT;
 constexpr VkFormat kRgba32 = VK_FORMAT_R32G32B32A32_SFLOAT;
 constexpr VkFormat kR16 = VK_FORMAT_R16_SFLOAT;
+constexpr VkFormat kR32 = VK_FORMAT_R32_SFLOAT;
+constexpr VkFormat kA2B10G10R10 = VK_FORMAT_A2B10G10R10_UNORM_PACK32;
 
+constexpr SlotRow in(ResourceType type, Family family, VkFormat format, Layer layer, uint32_t mode)
+{
+    return {type, family, format, layer, mode, false, {}, {}};
+}
+
+constexpr SlotRow out(ResourceType type, Family family, VkFormat format, uint32_t mode)
+{
+    return {type, family, format, Layer::Count, mode, true, {}, {}};
+}
+
+constexpr SlotRow with(SlotRow row, std::optional<Signal> radiance, std::optional<Signal> scalar)
+{
+    row.radiance = radiance;
+    row.scalar = scalar;
+    return row;
+}
+
+// clang-format off
 constexpr SlotRow kSlots[] = {
-    {ResourceType::IN_MV,                     Family::None,      kRgba16, Layer::Motion,   REPLAY_PACK_COPY,              false, {}, {}},
-    {ResourceType::IN_NORMAL_ROUGHNESS,       Family::None,      VK_FORMAT_A2B10G10R10_UNORM_PACK32, Layer::Guides, REPLAY_PACK_NORMAL_ROUGHNESS, false, {}, {}},
-    {ResourceType::IN_VIEWZ,                  Family::None,      VK_FORMAT_R32_SFLOAT, Layer::Depth, REPLAY_PACK_COPY,    false, {}, {}},
-    {ResourceType::IN_DIFF_RADIANCE_HITDIST,  Family::Reblur,    kRgba16, Layer::Diffuse,  REPLAY_PACK_REBLUR_RADIANCE,   false, {}, {}},
-    {ResourceType::IN_SPEC_RADIANCE_HITDIST,  Family::Reblur,    kRgba16, Layer::Specular, REPLAY_PACK_REBLUR_RADIANCE,   false, {}, {}},
-    {ResourceType::IN_DIFF_HITDIST,           Family::Reblur,    kR16,    Layer::Diffuse,  REPLAY_PACK_REBLUR_HITDIST,    false, {}, {}},
-    {ResourceType::IN_SPEC_HITDIST,           Family::Reblur,    kR16,    Layer::Specular, REPLAY_PACK_REBLUR_HITDIST,    false, {}, {}},
-    {ResourceType::IN_SIGNAL,                 Family::Reference, kRgba32, Layer::Diffuse,  REPLAY_PACK_COPY,              false, {}, {}},
-    {ResourceType::OUT_DIFF_RADIANCE_HITDIST, Family::Reblur,    kRgba16, Layer::Diffuse,  REPLAY_UNPACK_REBLUR_RADIANCE, true,  Signal::Diffuse,  Signal::NormHitDist},
-    {ResourceType::OUT_SPEC_RADIANCE_HITDIST, Family::Reblur,    kRgba16, Layer::Specular, REPLAY_UNPACK_REBLUR_RADIANCE, true,  Signal::Specular, Signal::SpecularNormHitDist},
-    {ResourceType::OUT_DIFF_HITDIST,          Family::Reblur,    kR16,    Layer::Diffuse,  REPLAY_UNPACK_COPY,            true,  {},               Signal::NormHitDist},
-    {ResourceType::OUT_SPEC_HITDIST,          Family::Reblur,    kR16,    Layer::Specular, REPLAY_UNPACK_COPY,            true,  {},               Signal::SpecularNormHitDist},
-    {ResourceType::OUT_SIGNAL,                Family::Reference, kRgba32, Layer::Diffuse,  REPLAY_UNPACK_COPY,            true,  Signal::Diffuse,  {}},
-    {ResourceType::OUT_VALIDATION,            Family::None,      VK_FORMAT_R8G8B8A8_UNORM, Layer::Depth, REPLAY_UNPACK_COPY, true, {}, {}},
+    in(ResourceType::IN_MV,                    Family::None,      kRgba16,      Layer::Motion,   REPLAY_PACK_COPY),
+    in(ResourceType::IN_NORMAL_ROUGHNESS,      Family::None,      kA2B10G10R10, Layer::Guides,
+       REPLAY_PACK_NORMAL_ROUGHNESS),
+    in(ResourceType::IN_VIEWZ,                 Family::None,      kR32,         Layer::Depth,    REPLAY_PACK_COPY),
+    in(ResourceType::IN_DIFF_RADIANCE_HITDIST, Family::Reblur,    kRgba16, Layer::Diffuse,
+       REPLAY_PACK_REBLUR_RADIANCE),
+    in(ResourceType::IN_SPEC_RADIANCE_HITDIST, Family::Reblur,    kRgba16, Layer::Specular,
+       REPLAY_PACK_REBLUR_RADIANCE),
+    in(ResourceType::IN_DIFF_HITDIST,          Family::Reblur,    kR16,    Layer::Diffuse,  REPLAY_PACK_REBLUR_HITDIST),
+    in(ResourceType::IN_SPEC_HITDIST,          Family::Reblur,    kR16,    Layer::Specular, REPLAY_PACK_REBLUR_HITDIST),
+    in(ResourceType::IN_SIGNAL,                Family::Reference, kRgba32, Layer::Diffuse,  REPLAY_PACK_COPY),
+    with(out(ResourceType::OUT_DIFF_RADIANCE_HITDIST, Family::Reblur, kRgba16, REPLAY_UNPACK_REBLUR_RADIANCE),
+         Signal::Diffuse, Signal::NormHitDist),
+    with(out(ResourceType::OUT_SPEC_RADIANCE_HITDIST, Family::Reblur, kRgba16, REPLAY_UNPACK_REBLUR_RADIANCE),
+         Signal::Specular, Signal::SpecularNormHitDist),
+    with(out(ResourceType::OUT_DIFF_HITDIST, Family::Reblur,    kR16,    REPLAY_UNPACK_COPY), {}, Signal::NormHitDist),
+    with(out(ResourceType::OUT_SPEC_HITDIST, Family::Reblur,    kR16,    REPLAY_UNPACK_COPY), {},
+         Signal::SpecularNormHitDist),
+    with(out(ResourceType::OUT_SIGNAL,       Family::Reference, kRgba32, REPLAY_UNPACK_COPY), Signal::Diffuse, {}),
+    out(ResourceType::OUT_VALIDATION, Family::None, VK_FORMAT_R8G8B8A8_UNORM, REPLAY_UNPACK_COPY), // not looked at
 };
 
 // The channels of a layer's components in order; where a row is short, the rest is 0.
