@@ -14,7 +14,9 @@ void main()
     uint i = gl_GlobalInvocationID.x;
     if (i >= gCoordinates.uv.length()) return;
     vec2 uv = gCoordinates.uv[i];
-    gOut.samples[i] =
-        vec4(textureLod(sampler2D(gIn, gNearestClamp), uv, 0.0).x, textureLod(sampler2D(gIn, gLinearClamp), uv, 0.0).x,
-             textureLod(sampler2D(gIn, gNearestMirror), uv, 0.0).x, textureLod(sampler2D(gIn, gLinearMirror), uv, 0.0).x);
+    float nearestClamp = textureLod(sampler2D(gIn, gNearestClamp), uv, 0.0).x;
+    float linearClamp = textureLod(sampler2D(gIn, gLinearClamp), uv, 0.0).x;
+    float nearestMirror = textureLod(sampler2D(gIn, gNearestMirror), uv, 0.0).x;
+    float linearMirror = textureLod(sampler2D(gIn, gLinearMirror), uv, 0.0).x;
+    gOut.samples[i] = vec4(nearestClamp, linearClamp, nearestMirror, linearMirror);
 }
