@@ -1,0 +1,189 @@
+// nrd-sample as a user runs it, validation on.
+#include "capture.h"
+#include "catch_compat.h"
+#include "gltf_builder.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <fstream>
+#include <sys/wait.h>
+
+namespace
+{
+struct Outcome
+{
+    int exitCode = -1; // -1: killed by a signal
+    std::string output;
+    std::string errors;
+};
+
+std::string readText(const std::filesystem::path& file)
+{
+    std::ifstream stream(file);
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+Outcome runProgram(const std::string& program, const std::string& arguments)
+{
+    const test::TemporaryFolder folder;
+    const std::string command =
+        program + " " + arguments + " >" + (folder / "out").string() + " 2>" + (folder / "err").string();
+    const int status = std::system(command.c_str());
+    Outcome outcome;
+    outcome.exitCode = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    outcome.output = readText(folder / "out");
+    outcome.errors = readText(folder / "err");
+    return outcome;
+}
+
+Outcome run(const std::string& arguments) { return runProgram(NRD_SAMPLE, arguments); }
+
+// One line that starts with "error: " and names `part`, exit code 1.
+void checkRefused(const Outcome& outcome, const std::string& part)
+{
+    CHECK(outcome.exitCode == 1);
+    CHECK(outcome.errors.rfind("error: ", 0) == 0);
+    CHECK(std::count(outcome.errors.begin(), outcome.errors.end(), '\n') == 1);
+    CHECK_THAT(outcome.errors, test::contains(part));
+}
+} // namespace
+
+TEST_CASE("the default scene renders, denoises, compares and records", "[program]")
+{
+    const test::TemporaryFolder folder;
+    const Outcome outcome =
+        run("--headless --validation --size 96x54 --frames 10 --reference-spp 16 --reference-frames 8,9"
+            " --demo " +
+            (folder / "demo").string() + " --capture " + (folder / "capture").string() + " --screenshot " +
+            (folder / "last.exr").string() + " --noisy-screenshot " + (folder / "noisy.png").string() +
+            " --reference-screenshot " + (folder / "ref.png").string());
+    INFO(outcome.errors);
+    REQUIRE(outcome.exitCode == 0);
+    CHECK_THAT(outcome.output, test::contains("built-in Cornell box"));
+    for (const char* name : {"psnr", "ssim", "flip", "relMSE", "flicker", "bias"})
+        CHECK_THAT(outcome.output, test::contains(name));
+    for (const char* name : {"demo/noisy.png", "demo/denoised.png", "demo/reference.png", "demo/side-by-side.png",
+                             "last.exr", "noisy.png", "ref.png"})
+    {
+        INFO(name);
+        CHECK(std::filesystem::file_size(folder / name) > 500);
+    }
+    const sample::Capture capture = sample::Capture::open(folder / "capture");
+    REQUIRE(capture.info().frames.size() == 10);
+    CHECK(capture.info().frames[0].isCut);
+    CHECK_FALSE(capture.info().frames[1].isCut);
+    CHECK(capture.info().frames[7].reference.empty());
+    CHECK_FALSE(capture.info().frames[9].reference.empty());
+    CHECK(capture.info().frames[1].worldToView != capture.info().frames[9].worldToView);
+    CHECK(capture.readFrame(9).has(sample::Channel::SpecularDX));
+    CHECK(capture.readReference(9).has(sample::Channel::RefSpecularNormHitDist));
+}
+
+TEST_CASE("every denoiser choice runs", "[program]")
+{
+    for (const char* name : {"NONE", "REFERENCE", "REBLUR_DIFFUSE_SPECULAR"})
+    {
+        const test::TemporaryFolder folder;
+        const Outcome outcome = run("--headless --validation --size 33x17 --frames 4 --jitter --denoiser " +
+                                    std::string(name) + " --screenshot " + (folder / "a.png").string());
+        INFO(name << ": " << outcome.errors);
+        CHECK(outcome.exitCode == 0);
+        CHECK(std::filesystem::exists(folder / "a.png"));
+    }
+}
+
+TEST_CASE("a run can be repeated to the last bit", "[program]")
+{
+    const test::TemporaryFolder folder;
+    std::string pictures[3];
+    for (int i = 0; i < 3; ++i)
+    {
+        const std::string file = (folder / std::to_string(i)).string() + ".exr";
+        CHECK(run("--headless --size 40x24 --frames 3 --screenshot " + file + (i == 2 ? " --seed 5" : "")).exitCode ==
+              0);
+        pictures[i] = readText(file);
+    }
+    CHECK(pictures[0] == pictures[1]);
+    CHECK(pictures[0] != pictures[2]);
+}
+
+TEST_CASE("bad arguments and broken files end in one sentence and exit code 1", "[program]")
+{
+    const test::TemporaryFolder folder;
+    std::ofstream(folder / "broken.glb") << "glTF but not really";
+    std::ofstream(folder / "broken.hdr") << "#?RADIANCE\n";
+    test::makeTriangle().writeBinary(folder / "triangle.glb");
+    const std::string triangle = (folder / "triangle.glb").string();
+    checkRefused(run("--headless " + (folder / "broken.glb").string()), "broken.glb");
+    checkRefused(run("--headless " + (folder / "absent.glb").string()), "absent.glb");
+    checkRefused(run("--headless " + triangle + " --environment " + (folder / "broken.hdr").string()), "broken.hdr");
+    checkRefused(run("--headless --size 12"), "--size");
+    checkRefused(run("--headless --denoiser MAGIC"), "--denoiser");
+    checkRefused(run("--headless --frames 0"), "--frames");
+    checkRefused(run("--headless --screenshot a.jpg"), "a.jpg");
+    checkRefused(run("--headless --reference-frames every-1"), "every-K");
+    checkRefused(run("--headless --unknown"), "--unknown");
+    checkRefused(run("--headless --device 99"), "99");
+    checkRefused(run("--headless --size 16x16 --frames 1 --screenshot " + (folder / "no/such/folder.png").string()),
+                 "folder.png");
+    checkRefused(run(triangle), "--headless");
+}
+
+TEST_CASE("help, version and the list of devices need no scene", "[program]")
+{
+    CHECK_THAT(run("--help").output, test::contains("--reference-spp"));
+    CHECK_THAT(run("--version").output, test::contains("nrd-sample 0."));
+    const Outcome list = run("--list-devices");
+    CHECK(list.exitCode == 0);
+    CHECK_THAT(list.output, test::contains("0: "));
+}
+
+TEST_CASE("a scene without light and camera gets both, and the program says so", "[program]")
+{
+    const test::TemporaryFolder folder;
+    test::makeTriangle().writeBinary(folder / "triangle.glb");
+    const Outcome outcome =
+        run("--headless --validation --size 32x32 --frames 2 " + (folder / "triangle.glb").string());
+    INFO(outcome.errors);
+    CHECK(outcome.exitCode == 0);
+    CHECK_THAT(outcome.output, test::contains("no light"));
+    CHECK_THAT(outcome.output, test::contains("no camera"));
+}
+
+TEST_CASE("real scenes and a real environment render", "[program]")
+{
+    const std::filesystem::path scenes = std::filesystem::path(NRD_TEST_DATA) / "scenes";
+    if (!std::filesystem::exists(scenes))
+    {
+        std::printf("SKIPPED: %s does not exist\n", scenes.c_str());
+        return;
+    }
+    size_t count = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(scenes))
+    {
+        if (entry.path().extension() != ".glb") continue;
+        for (const std::string& environment :
+             std::vector<std::string>{"", " --environment " + (scenes / "spruit_sunrise_1k.hdr").string()})
+        {
+            const Outcome outcome =
+                run("--headless --validation --size 64x48 --frames 3 " + entry.path().string() + environment);
+            INFO(entry.path() << environment << ": " << outcome.errors);
+            CHECK(outcome.exitCode == 0);
+            ++count;
+        }
+    }
+    CHECK(count >= 2);
+}
+
+TEST_CASE("the example of native handles denoises", "[program]")
+{
+    // The layer's own report goes to stdout.
+    const std::string layers = "VK_INSTANCE_LAYERS=VK_LAYER_KHRONOS_validation "
+                               "VK_LAYER_ENABLES=VK_VALIDATION_FEATURE_ENABLE_SYNCHRONIZATION_VALIDATION_EXT ";
+    const Outcome outcome = runProgram(layers + NRD_EXAMPLE, "");
+    INFO(outcome.errors << outcome.output);
+    CHECK(outcome.exitCode == 0);
+    CHECK(outcome.output.find("Validation Error") == std::string::npos);
+    CHECK(outcome.output.find("SYNC-HAZARD") == std::string::npos);
+    CHECK_THAT(outcome.output, test::contains("denoised"));
+}
