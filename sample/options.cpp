@@ -15,8 +15,9 @@ const std::map<std::string, DenoiserChoice> kDenoisers = {
     {"REBLUR_DIFFUSE_SPECULAR", DenoiserChoice::ReblurDiffuseSpecular}};
 
 constexpr const char* kFooter =
-    "Without SCENE the built-in Cornell box is shown. A path whose demodulated radiance exceeds 250 is dimmed to it,\n"
-    "in frames and references alike; there is no other bias but the limit of --bounces.\n"
+    "Without SCENE the built-in Cornell box is shown. Against fireflies, in frames and references alike: a path whose\n"
+    "demodulated radiance exceeds 250 is dimmed to that, and --roughening blurs caustics. Blended materials are cut\n"
+    "out at an alpha of one half.\n"
     "Exit code 0 means that everything asked for was done.";
 
 // "960x540"
@@ -53,6 +54,10 @@ void addOptions(CLI::App& app, Options& o)
     app.add_option("--fps", o.framesPerSecond, "Frames per second of animation time, default 60")
         ->check(CLI::Range(1.0, 1000.0));
     app.add_option("--bounces", o.bounces, "Rays of a path after the primary one, default 4")->check(CLI::Range(1, 64));
+    app.add_option(
+           "--roughening", o.roughening,
+           "Least roughness of surfaces lit by rough ones, as a share of theirs, default 0.5; 0 = true caustics")
+        ->check(CLI::Range(0.0, 1.0));
     app.add_flag("--jitter", o.hasJitter, "Move the sub-pixel position from frame to frame");
     app.add_option("--seed", o.seed, "Of the noise, default 0");
     app.add_option("--screenshot", o.screenshot, "Denoised picture of the last frame, .png or .exr");

@@ -29,6 +29,7 @@ struct Options
     float framesPerSecond = 60.0f;
     uint32_t seed = 0;
     uint32_t bounces = 4;
+    float roughening = 0.5f; // [0; 1], see TracerDesc
     bool hasJitter = false;
     std::filesystem::path screenshot; // of the last frame, .png or .exr
     std::filesystem::path noisyScreenshot;

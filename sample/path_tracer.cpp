@@ -203,6 +203,7 @@ void PathTracer::record(VkCommandBuffer cmd, Program& program, const std::vector
     // Twenty units in the last place of a position, and a share of the scene for surfaces near the origin.
     c.jitter = glm::vec4(view.jitter, 2.5e-6f, 1e-6f * m_sceneRadius);
     c.hitDistanceParameters = glm::vec4(m_desc.hitDistanceParameters, m_desc.maxRadiance);
+    c.limits = glm::vec4(m_desc.roughening, 0.0f, 0.0f, 0.0f);
     c.size = glm::uvec4(m_desc.width, m_desc.height, m_nodeCount, m_lightCount);
     c.environment = m_environmentConstants;
     c.environment.w = m_desc.maxBounces;

@@ -13,7 +13,10 @@ struct TracerDesc
     uint32_t height = 0;     // pixels, > 0
     uint32_t seed = 0;       // other seeds, other noise
     uint32_t maxBounces = 4; // [1; 64], rays after the primary one
-    // A single path's demodulated radiance is scaled down to this in its brightest channel: the only bias there is.
+    // Least roughness of a surface that is seen by a bounce off another, as a share of that one's (1 for diffuse).
+    // Keeps caustics from becoming fireflies; 0 traces the scene as it is.
+    float roughening = 0.5f;
+    // A single path's demodulated radiance is scaled down to this in its brightest channel.
     float maxRadiance = 250.0f;
     glm::vec3 hitDistanceParameters = glm::vec3(3.0f, 0.1f, 20.0f); // A (world units), B, C
 };

@@ -21,6 +21,7 @@ TracerDesc tracerDesc(const Options& options)
     desc.height = options.height;
     desc.seed = options.seed;
     desc.maxBounces = options.bounces;
+    desc.roughening = options.roughening;
     return desc;
 }
 

@@ -45,7 +45,7 @@ std::vector<Material> makeMaterials()
         makeMaterial("plastic", glm::vec3(0.15f, 0.3f, 0.65f), 0.0f, 0.15f),
         makeMaterial("lamp", glm::vec3(0.8f), 0.0f, 1.0f),
     };
-    materials[Lamp].emission = glm::vec3(12.0f, 9.6f, 7.0f);
+    materials[Lamp].emission = glm::vec3(6.6f, 5.3f, 3.8f);
     return materials;
 }
 
@@ -97,8 +97,8 @@ Mesh makeRoom()
     mesh.primitives.push_back(makeQuad(White, high, -y, -x)); // behind the camera
     mesh.primitives.push_back(makeQuad(Red, low, y, z));
     mesh.primitives.push_back(makeQuad(Green, high, -z, -y));
-    const glm::vec3 corner(-1.1f, kHeight - 0.02f, -1.7f);
-    mesh.primitives.push_back(makeQuad(Lamp, corner, glm::vec3(2.2f, 0, 0), glm::vec3(0, 0, 1.6f)));
+    const glm::vec3 corner(-1.5f, kHeight - 0.02f, -1.9f);
+    mesh.primitives.push_back(makeQuad(Lamp, corner, glm::vec3(3.0f, 0, 0), glm::vec3(0, 0, 2.4f)));
     return mesh;
 }
 

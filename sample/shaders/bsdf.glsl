@@ -71,7 +71,7 @@ vec3 sampleSpecular(Surface s, Bsdf b, vec2 u)
 struct Evaluation
 {
     vec3 value; // both open lobes times the cosine
-    float pdf;  // of sampleLobes() with the same lobes, per solid angle
+    float pdf;  // of sampling one of them by lobeShare(), per solid angle
 };
 
 Evaluation evaluate(Surface s, Bsdf b, vec3 l, uint lobes)
@@ -95,13 +95,10 @@ Evaluation evaluate(Surface s, Bsdf b, vec3 l, uint lobes)
     return Evaluation(diffuse + specular, mix(diffusePdf, specularPdf, b.specularShare));
 }
 
-// `choice` is a uniform number that picks the lobe when both are open.
-vec3 sampleLobes(Surface s, Bsdf b, uint lobes, vec2 u, float choice)
+// Probability of sampling the specular lobe.
+float lobeShare(Bsdf b, uint lobes)
 {
-    float share = lobes == kDiffuseLobe ? 0.0 : lobes == kSpecularLobe ? 1.0 : b.specularShare;
-    vec3 specular = sampleSpecular(s, b, u);
-    vec3 diffuse = sampleCosine(u, s.normal);
-    return choice < share ? specular : diffuse;
+    return lobes == kDiffuseLobe ? 0.0 : lobes == kSpecularLobe ? 1.0 : b.specularShare;
 }
 
 // Ray Tracing Gems chapter 32, equation 4; what demodulation divides by is an approximation that only has to be close.

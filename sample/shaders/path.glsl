@@ -54,7 +54,7 @@ PathSums tracePaths(Surface primary, float viewZ, float width, vec3 diffuseFacto
     Bsdf bsdf = makeBsdf(primary);
     uint lobes = 0u, firstLobes = 0u, bounce = 0u, pathSeed = 0u, index = 0u;
     vec3 throughput = vec3(1.0), radiance = vec3(0.0), firstDirection = vec3(0.0);
-    float firstDistance = 0.0, spread = 0.0, rayWidth = width;
+    float firstDistance = 0.0, spread = 0.0, rayWidth = width, blur = 0.0;
     bool isNew = true;
     while (item < total)
     {
@@ -73,6 +73,7 @@ PathSums tracePaths(Surface primary, float viewZ, float width, vec3 diffuseFacto
             firstDirection = vec3(0.0);
             rayWidth = width;
             spread = g.frustum.z;
+            blur = 0.0;
             isNew = false;
         }
         uint pair = pathSeed + bounce * kPairsPerBounce * 0x632BE5ABu;
@@ -90,11 +91,15 @@ PathSums tracePaths(Surface primary, float viewZ, float width, vec3 diffuseFacto
         radiance += shadow.triangle == kNoHit ? contribution : vec3(0.0);
 
         // On along the path.
-        vec3 direction = sampleLobes(s, bsdf, lobes, uLobe, uChoice.y);
+        bool isSpecular = uChoice.y < lobeShare(bsdf, lobes);
+        vec3 direction = isSpecular ? sampleSpecular(s, bsdf, uLobe) : sampleCosine(uLobe, s.normal);
         Evaluation next = evaluate(s, bsdf, direction, lobes);
         bool isAlive = next.pdf > 0.0;
         throughput *= isAlive ? next.value / next.pdf : vec3(0.0);
-        spread += lobes == kSpecularLobe ? 0.5 * bsdf.alpha : 0.3;
+        spread += isSpecular ? 0.5 * bsdf.alpha : 0.3;
+        // Glossy surfaces seen by a rough bounce are made rougher: what they focus is found too seldom to be anything
+        // but fireflies (path space regularisation, Kaplanyan and Dachsbacher 2013).
+        blur = max(blur, isSpecular ? s.roughness : 1.0);
         if (bounce >= kRouletteBounce)
         {
             float survival = clamp(max(throughput.r, max(throughput.g, throughput.b)), 0.05, 1.0);
@@ -119,7 +124,7 @@ PathSums tracePaths(Surface primary, float viewZ, float width, vec3 diffuseFacto
         isAlive = isAlive && !isMiss;
         hit.triangle = isAlive ? hit.triangle : 0;
         rayWidth += spread * hit.t;
-        s = fetchSurface(hit, direction, isAlive ? rayWidth : 0.0);
+        s = fetchSurface(hit, direction, isAlive ? rayWidth : 0.0, blur * g.limits.x);
         bsdf = makeBsdf(s);
         if (kHasTriangleLights && isAlive && s.light != 0u)
         {

@@ -58,8 +58,8 @@ float logFootprint(int triangle, vec3 e1, vec3 e2, float width, float cosine)
     return log2(max(width, 1e-10)) + 0.5 * log2(max(uvArea, 1e-20) / max(area * cosine, 1e-20));
 }
 
-// `width` is the width of the ray where it hits, in world units.
-Surface fetchSurface(Hit hit, vec3 direction, float width)
+// `width` is the width of the ray where it hits, in world units; `minRoughness` is what the path demands.
+Surface fetchSurface(Hit hit, vec3 direction, float width, float minRoughness)
 {
     int i = hit.triangle;
     vec2 b = hit.barycentrics;
@@ -100,7 +100,7 @@ Surface fetchSurface(Hit hit, vec3 direction, float width)
     s.normal = nov < 0.01 ? normalize(n + s.view * (0.01 - nov)) : n;
     s.albedo = baseColor.rgb * (1.0 - parameters.x);
     s.f0 = mix(vec3(0.04), baseColor.rgb, parameters.x);
-    s.roughness = clamp(parameters.y, kMinRoughness, 1.0);
+    s.roughness = clamp(parameters.y, max(kMinRoughness, minRoughness), 1.0);
     s.emission = isFront || parameters.w > 0.5 ? emission : vec3(0.0);
     return s;
 }

@@ -46,7 +46,7 @@ void main()
     bool isSky = hit.triangle == kNoHit;
     hit.triangle = isSky ? 0 : hit.triangle;
     float width = isSky ? 0.0 : g.frustum.z * hit.t;
-    Surface s = fetchSurface(hit, direction, width);
+    Surface s = fetchSurface(hit, direction, width, 0.0);
     float viewZ = isSky ? g.frustum.w : (g.worldToView * vec4(s.position, 1.0)).z;
     vec3 diffuseFactor, specularFactor;
     demodulationFactors(s, diffuseFactor, specularFactor);

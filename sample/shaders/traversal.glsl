@@ -3,6 +3,8 @@
 #define TRAVERSAL_GLSL
 #include "textures.glsl"
 
+const float kEdge = 1e-5; // share of a triangle
+
 struct Hit
 {
     int triangle; // position in gTriangles / 3, kNoHit: none
@@ -66,7 +68,8 @@ Hit traceRay(vec3 origin, vec3 direction, float tMax, bool isAnyEnough)
             vec3 q = cross(s, e1);
             vec2 uv = vec2(dot(s, p), dot(direction, q)) * scale;
             float t = dot(e2, q) * scale;
-            bool isHit = uv.x >= 0.0 && uv.y >= 0.0 && uv.x + uv.y <= 1.0 && t > 0.0 && t < hit.t;
+            // A hair wider than the triangle: rounding must not open cracks between neighbours.
+            bool isHit = min(uv.x, uv.y) >= -kEdge && uv.x + uv.y <= 1.0 + kEdge && t > 0.0 && t < hit.t;
             if (kHasAlphaMask) isHit = isHit && !isCutOut(i, uv);
             if (isHit) hit = Hit(i, t, uv);
         }
