@@ -6,6 +6,8 @@ namespace nrd
 {
 namespace
 {
+constexpr double kRadiusLines = 1440.0; // height at which blur radii are given
+
 shared::mat4 toShared(const Double4x4& matrix)
 {
     shared::mat4 result;
@@ -113,12 +115,11 @@ FrameState makeFrameState(const CommonSettings& common, float frameRateScale)
     state.viewDirection = toShared(-current.rotation.row(2), 0.0);
     state.motionVectorScale = makeMotionVectorScale(common, current.projection.viewZSign);
 
-    const float width = common.rectSize[0], height = common.rectSize[1];
     state.unproject = static_cast<float>(2.0 / (common.rectSize[1] * current.projection.yScale));
-    state.minRectDim = std::min(width, height);
+    state.minRectDim = std::min(common.rectSize[0], common.rectSize[1]);
     state.jitterDelta = std::max(std::abs(common.cameraJitter[0] - common.cameraJitterPrev[0]),
                                  std::abs(common.cameraJitter[1] - common.cameraJitterPrev[1]));
-    state.resolutionScale = std::min(width / common.resourceSize[0], height / common.resourceSize[1]);
+    state.radiusScale = static_cast<float>(std::sqrt(common.rectSize[1] / kRadiusLines));
     state.frameRateScale = frameRateScale;
     return state;
 }

@@ -36,7 +36,7 @@ struct FrameState
     float unproject = 0.0f;         // world size of a pixel at z = 1, or at any z if orthographic
     float minRectDim = 0.0f;        // pixels
     float jitterDelta = 0.0f;       // pixels, largest axis
-    float resolutionScale = 0.0f;   // rect / resource, smallest axis
+    float radiusScale = 0.0f;       // blur radii: their pixels at 1440 lines to this rectangle's
     float frameRateScale = 1.0f;    // 33.3 ms / frame time, at least 1
 };
 FrameState makeFrameState(const CommonSettings& common, float frameRateScale);

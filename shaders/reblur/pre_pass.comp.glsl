@@ -21,6 +21,9 @@ layout(set = SET_RESOURCES, binding = 3 + 2 * LOBE_NUM) uniform writeonly image2
 
 const float kNarrowing = 1.0 / 11.0;
 const float kFractionScale = 2.0;
+// Hit distances are noise here. A strict weight starves samples with rare distances, which are the bright ones where
+// the light is small: that loses energy.
+const float kHitDistScale = 2.0;
 
 // Keeps the kernel inside 30 % of the lobe's footprint at the distance of the image: no halos round sharp reflections.
 float limitSpecularRadius(Pixel p, Lobe lobe, float hitDist, float radius)
@@ -49,6 +52,7 @@ vec4 prefilter(texture2D signal, Pixel p, Lobe lobe, bool isSpecular, ivec2 posi
     if (isSpecular) radius = limitSpecularRadius(p, lobe, hitDist, radius);
     float minHitDist = g.minHitDistanceWeight * kFractionScale * NRD_GetLobeSpread(lobe.roughness, 0.5);
     Weights w = makeWeights(p, lobe, isSpecular, kNarrowing, kFractionScale, minHitDist);
+    w.hitDist = kHitDistScale;
     uint seed = seedPixel(position, g.frameIndex);
     float nearest = hitDist > 0.0 ? hitDist : 1e30;
     vec4 sum = centre;

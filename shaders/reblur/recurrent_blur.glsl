@@ -4,6 +4,15 @@
 #define RECURRENT_BLUR_GLSL
 #include "spatial_filter.glsl"
 
+// Lighting edges that no guide shows survive where the history says that a difference is not noise: the admissible
+// relative difference of luma shrinks with convergence. Fitted on the recorded sequences.
+const float kLumaTolerance = 2.5;
+
+float lumaWeight(float centre, float other, float narrowing)
+{
+    return heavy(abs(other - centre) / (max(other, centre) * kLumaTolerance * narrowing + kEps));
+}
+
 struct BlurPass
 {
     vec4 rotator;
@@ -32,6 +41,7 @@ vec4 blurLobe(texture2D signal, texture2D viewZs, texture2D normals, Pixel p, Lo
         Tap tap = readTap(viewZs, normals, p, lobe, w, uv, kTaps[i].z);
         vec4 value = texelFetch(signal, tap.pixel, 0);
         float weight = tap.weight * hitDistWeight(w, centre.w, value.w);
+        weight *= lumaWeight(centre.x, value.x, narrowing);
         // Selected, not multiplied: rejected taps may hold anything.
         sum += weight > 0.0 ? value.xyz * weight : vec3(0.0);
         weightSum += weight;

@@ -219,15 +219,16 @@ TEST_CASE("the scale of motion vectors follows their kind", "[unit]")
     CHECK(makeFrameState(common, 1.0f).motionVectorScale.z == 0.0f); // a static scene
 }
 
-TEST_CASE("dynamic resolution and jitter are measured on their worse axis", "[unit]")
+TEST_CASE("radii scale with the root of the height, jitter is measured on its worse axis", "[unit]")
 {
     CommonSettings common = makeCommon();
-    common.rectSize[0] = 50;
+    common.resourceSize[1] = common.resourceSizePrev[1] = 120;
+    common.rectSize[1] = 90;
     common.cameraJitter[1] = 0.25f;
     common.cameraJitterPrev[1] = -0.125f;
     common.cameraJitter[0] = 0.125f;
     const FrameState state = makeFrameState(common, 1.0f);
-    CHECK(state.resolutionScale == 0.5f);
+    CHECK(state.radiusScale == Approx(std::sqrt(90.0 / 1440.0)));
     CHECK(state.jitterDelta == 0.375f);
 }
 

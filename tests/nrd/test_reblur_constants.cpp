@@ -94,15 +94,15 @@ TEST_CASE("the convergence constants give the specified factor", "[unit]")
     CHECK(beta(30.0f) == Approx(0.0323f).epsilon(2e-3));
 }
 
-TEST_CASE("radii in pixels follow the dynamic resolution", "[unit]")
+TEST_CASE("radii follow the root of the rectangle's height", "[unit]")
 {
     Inputs inputs;
     inputs.common.rectSize[0] = 50;
-    inputs.common.rectSize[1] = 30;
+    inputs.common.rectSize[1] = 40; // a sixth of the radii at 1440 lines
     const ReblurConstants g = inputs.make();
-    CHECK(g.maxBlurRadius == 15.0f);
-    CHECK(g.diffusePrepassRadius == 15.0f);
-    CHECK(g.specularPrepassRadius == 25.0f);
+    CHECK(g.maxBlurRadius == Approx(5.0f));
+    CHECK(g.diffusePrepassRadius == Approx(3.0f));
+    CHECK(g.specularPrepassRadius == Approx(6.0f));
     CHECK(g.minBlurRadius == 1.0f);
     CHECK(g.resourceSizeInv.x == 1.0f / 100.0f);
 }

@@ -99,10 +99,12 @@ struct ReblurSettings
     uint32_t historyFixAlternatePixelStride = 14; // [1; 64] pixels
 
     float fastHistoryClampingSigmaScale = 2.0f; // [1; 3] standard deviations
-    float diffusePrepassBlurRadius = 30.0f;     // [0; 256] pixels, 0 = off
-    float specularPrepassBlurRadius = 50.0f;    // [0; 256] pixels, 0 = off
+    // Radii are pixels at a rectangle of 1440 lines and scale with the square root of its height: fewer pixels average
+    // less noise away, but each spans more of the scene.
+    float diffusePrepassBlurRadius = 18.0f;     // [0; 256] pixels, 0 = off
+    float specularPrepassBlurRadius = 36.0f;    // [0; 256] pixels, 0 = off
     float minHitDistanceWeight = 0.1f;          // [0; 0.2]
-    float minBlurRadius = 1.0f;                 // [0; 256] pixels
+    float minBlurRadius = 1.0f;                 // [0; 256] pixels, whatever the height
     float maxBlurRadius = 30.0f;                // [0; 256] pixels
     float lobeAngleFraction = 0.15f;            // [0; 1]
     float roughnessFraction = 0.15f;            // [0; 1]

@@ -104,8 +104,7 @@ void fillHistory(const Request& request, const ReblurSettings& s, shared::Reblur
 
 void fillFilters(const Request& request, const ReblurSettings& s, shared::ReblurConstants& g)
 {
-    // Dynamic resolution keeps the same blur relative to the screen.
-    const float scale = request.frame.resolutionScale;
+    const float scale = request.frame.radiusScale;
     g.minBlurRadius = s.minBlurRadius;
     g.maxBlurRadius = std::max(s.maxBlurRadius * scale, s.minBlurRadius);
     g.diffusePrepassRadius = s.diffusePrepassBlurRadius * scale;
