@@ -50,7 +50,7 @@ void addOptions(CLI::App& app, Options& o)
     app.add_option_function<std::string>(
            "--size", [&o](const std::string& s) { parseSize(s, o); }, "Resolution in pixels, default 480x270")
         ->option_text("WxH");
-    app.add_option("--frames", o.frames, "Frames to render, default 32")->check(CLI::Range(1, 100000));
+    app.add_option("--frames", o.frames, "Frames to render, default 33")->check(CLI::Range(1, 100000));
     app.add_option("--fps", o.framesPerSecond, "Frames per second of animation time, default 60")
         ->check(CLI::Range(1.0, 1000.0));
     app.add_option("--bounces", o.bounces, "Rays of a path after the primary one, default 4")->check(CLI::Range(1, 64));
@@ -63,7 +63,7 @@ void addOptions(CLI::App& app, Options& o)
     app.add_option("--screenshot", o.screenshot, "Denoised picture of the last frame, .png or .exr");
     app.add_option("--noisy-screenshot", o.noisyScreenshot, "Noisy picture of the last frame");
     app.add_option("--reference-screenshot", o.referenceScreenshot,
-                   "Reference of the last frame, with --reference-spp samples (default 256)");
+                   "Reference of the last frame, with --reference-spp samples (default 128)");
     app.add_option("--capture", o.capture, "Folder to record all signals to")->option_text("DIR");
     app.add_option("--reference-spp", o.referenceSpp, "Samples per pixel of references, 0 = none")
         ->check(CLI::Range(0, 1000000));
@@ -80,7 +80,7 @@ void addOptions(CLI::App& app, Options& o)
                    throw CLI::ValidationError("--reference-frames", error.what());
                }
            },
-           "List (7,8,15,16), or every-K for the pairs (K-1,K), (2K-1,2K); default every-8")
+           "List (7,8,15,16), or every-K for the pairs (K-1,K), (2K-1,2K); default every-8, with --demo every-16")
         ->option_text("LIST");
     app.add_option("--demo", o.demo, "Folder for noisy, denoised and reference pictures; prints the table of errors")
         ->option_text("DIR");
@@ -96,9 +96,10 @@ void complete(Options& o)
     checkPicture(o.noisyScreenshot, "--noisy-screenshot");
     checkPicture(o.referenceScreenshot, "--reference-screenshot");
     const bool needsReference = !o.demo.empty() || !o.referenceScreenshot.empty();
-    if (needsReference && o.referenceSpp == 0) o.referenceSpp = 256;
+    if (needsReference && o.referenceSpp == 0) o.referenceSpp = 128; // two minutes on two cores without a GPU
     const bool hasFrames = o.referenceFrames.every != 0 || !o.referenceFrames.list.empty();
-    if (o.referenceSpp > 0 && !hasFrames && (!o.capture.empty() || !o.demo.empty())) o.referenceFrames.every = 8;
+    if (o.referenceSpp > 0 && !hasFrames && (!o.capture.empty() || !o.demo.empty()))
+        o.referenceFrames.every = o.demo.empty() ? 8 : 16;
     if (!o.referenceScreenshot.empty()) o.referenceFrames.list.push_back(o.frames - 1);
     if (!o.demo.empty() && o.denoiser == DenoiserChoice::None)
         throw CLI::ValidationError("--demo", "there is nothing to show with --denoiser NONE");

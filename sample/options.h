@@ -25,7 +25,7 @@ struct Options
     DenoiserChoice denoiser = DenoiserChoice::ReblurDiffuseSpecular;
     uint32_t width = 480; // pixels, [16; 8192]
     uint32_t height = 270;
-    uint32_t frames = 32; // [1; 100000]
+    uint32_t frames = 33; // [1; 100000]
     float framesPerSecond = 60.0f;
     uint32_t seed = 0;
     uint32_t bounces = 4;

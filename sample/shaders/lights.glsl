@@ -63,12 +63,14 @@ LightSample sampleEnvironment(vec2 u)
     // The fraction that chose the entry is stretched and used again.
     bool isSelf = rest < threshold;
     texel = isSelf ? texel : entry.y;
-    float within = clamp(isSelf ? rest / max(threshold, 1e-6) : (rest - threshold) / max(1.0 - threshold, 1e-6), 0.0, 0.999999);
+    float within = isSelf ? rest / max(threshold, 1e-6) : (rest - threshold) / max(1.0 - threshold, 1e-6);
+    within = clamp(within, 0.0, 0.999999);
     vec4 light = uintBitsToFloat(texelFetch(gEnvironment, 2 * int(texel)));
     uint x = texel % g.environment.x, y = texel / g.environment.x;
     float phi = ((float(x) + within) / float(g.environment.x) - 0.5) * 2.0 * kPi;
     // Uniform in the cosine, so that all directions of the texel are equally likely.
-    float top = cos(kPi * float(y) / float(g.environment.y)), bottom = cos(kPi * float(y + 1u) / float(g.environment.y));
+    float top = cos(kPi * float(y) / float(g.environment.y));
+    float bottom = cos(kPi * float(y + 1u) / float(g.environment.y));
     float cosine = mix(top, bottom, u.y);
     float sine = sqrt(max(1.0 - cosine * cosine, 0.0));
     return LightSample(vec3(sine * sin(phi), cosine, -sine * cos(phi)), 1e30, light.xyz, light.w);
@@ -148,6 +150,7 @@ float lightPdf(Surface hit, Hit at, float distance)
     vec3 e1 = uintBitsToFloat(texelFetch(gTriangles, 3 * at.triangle + 1).xyz);
     vec3 e2 = uintBitsToFloat(texelFetch(gTriangles, 3 * at.triangle + 2).xyz);
     float cosine = max(dot(hit.geometricNormal, hit.view), 1e-6);
-    return lightProbability(int(hit.light) - 1) * 2.0 * distance * distance / (cosine * max(length(cross(e1, e2)), 1e-20));
+    float doubleArea = max(length(cross(e1, e2)), 1e-20);
+    return lightProbability(int(hit.light) - 1) * 2.0 * distance * distance / (cosine * doubleArea);
 }
 #endif

@@ -31,132 +31,152 @@ float lobeSpread(float r)
     return (1.0 - exp2(-200.0 * r * r)) * sqrt(r);
 }
 
+float brightest(vec3 c)
+{
+    return max(c.r, max(c.g, c.b));
+}
+
 // A non-finite path is dropped, a very bright one dimmed: the only bias, documented with the --help of the program.
 vec3 bounded(vec3 radiance)
 {
     if (!isFinite(radiance)) return vec3(0.0);
-    float brightest = max(radiance.r, max(radiance.g, radiance.b));
-    return max(radiance, vec3(0.0)) * min(1.0, g.hitDistanceParameters.w / max(brightest, 1e-20));
+    return max(radiance, vec3(0.0)) * min(1.0, g.hitDistanceParameters.w / max(brightest(radiance), 1e-20));
 }
 
-// `factors` are what demodulation divides by; `isSplit` false gives plain paths with both lobes, summed in .diffuse.
+// A path on its way.
+struct Path
+{
+    Surface surface; // where it stands
+    Bsdf bsdf;
+    uint lobes;      // that may be sampled here
+    uint firstLobes; // that were at the primary surface
+    uint bounce;
+    uint seed;
+    uint index; // of the sample in its sequence
+    vec3 throughput;
+    vec3 radiance;
+    vec3 firstDirection;
+    float firstDistance;
+    float spread; // radians the ray widens by
+    float width;  // of the ray, world units
+    float blur;   // largest roughness on the way, 1 for a diffuse bounce
+};
+
+Path startPath(Surface primary, Bsdf bsdf, uint lobes, uint index, uint seed, float width)
+{
+    return Path(primary, bsdf, lobes, lobes, 0u, hash(seed ^ (lobes * 0x9E3779B9u)), index, vec3(1.0), vec3(0.0),
+                vec3(0.0), 0.0, g.frustum.z, width, 0.0);
+}
+
+// Light that reaches this vertex directly.
+void addLight(inout Path path, float choice, vec2 u)
+{
+    LightSample light = sampleLights(path.surface, choice, u);
+    Evaluation toLight = evaluate(path.surface, path.bsdf, light.direction, path.lobes);
+    vec3 contribution = path.throughput * toLight.value * light.radiance;
+    contribution *= light.pdf > 0.0 ? powerHeuristic(light.pdf, toLight.pdf) : 1.0;
+    float reach = brightest(contribution) > 0.0 ? light.distance : 0.0;
+    Hit shadow = traceRay(offsetOrigin(path.surface, light.direction), light.direction, reach, true);
+    path.radiance += shadow.triangle == kNoHit ? contribution : vec3(0.0);
+}
+
+// False: the path ends here. `u` picks the direction, `choice` the lobe, `chance` plays roulette.
+bool sampleDirection(inout Path path, vec2 u, float choice, float chance, out vec3 direction, out float pdf)
+{
+    bool isSpecular = choice < lobeShare(path.bsdf, path.lobes);
+    direction = isSpecular ? sampleSpecular(path.surface, path.bsdf, u) : sampleCosine(u, path.surface.normal);
+    Evaluation next = evaluate(path.surface, path.bsdf, direction, path.lobes);
+    pdf = next.pdf;
+    path.throughput *= pdf > 0.0 ? next.value / pdf : vec3(0.0);
+    path.spread += isSpecular ? 0.5 * path.bsdf.alpha : 0.3;
+    // Glossy surfaces seen by a rough bounce are made rougher: what they focus is found too seldom to be anything but
+    // fireflies (path space regularisation, Kaplanyan and Dachsbacher 2013).
+    path.blur = max(path.blur, isSpecular ? path.surface.roughness : 1.0);
+    if (path.bounce < kRouletteBounce) return pdf > 0.0;
+    float survival = clamp(brightest(path.throughput), 0.05, 1.0);
+    path.throughput /= survival;
+    return pdf > 0.0 && chance < survival;
+}
+
+// Follows the sampled direction to the next surface and collects what shines there. False: there is no next vertex.
+bool advance(inout Path path, vec3 direction, float pdf, bool isAlive)
+{
+    Hit hit = traceRay(offsetOrigin(path.surface, direction), direction, isAlive ? 1e30 : 0.0, false);
+    bool isMiss = hit.triangle == kNoHit;
+    if (path.bounce == 0u)
+    {
+        // A sample that points into its own surface is a contact, not "no sample".
+        path.firstDistance = !isAlive ? 1e-3 : isMiss ? kMiss : clamp(hit.t, 1e-4, 65000.0);
+        path.firstDirection = direction;
+    }
+    if (kHasEnvironment && isAlive && isMiss)
+    {
+        vec4 sky = environmentAt(direction);
+        float skyPdf = sky.w * lightProbability(int(g.environment.z));
+        path.radiance += path.throughput * sky.rgb * powerHeuristic(pdf, skyPdf);
+    }
+    isAlive = isAlive && !isMiss;
+    hit.triangle = isAlive ? hit.triangle : 0; // the fetches below run in any case
+    path.width += isAlive ? path.spread * hit.t : 0.0;
+    path.surface = fetchSurface(hit, direction, path.width, path.blur * g.limits.x);
+    path.bsdf = makeBsdf(path.surface);
+    if (kHasTriangleLights && isAlive && path.surface.light != 0u)
+        path.radiance += path.throughput * path.surface.emission * powerHeuristic(pdf, lightPdf(path.surface, hit, hit.t));
+    ++path.bounce;
+    path.lobes = kDiffuseLobe | kSpecularLobe;
+    return isAlive && path.bounce < g.environment.w && brightest(path.throughput) > 1e-5;
+}
+
+void finishPath(inout PathSums sums, Path path, vec3 factor, float scale)
+{
+    vec3 demodulated = bounded(path.radiance / factor);
+    float normalized = path.firstDistance >= kMiss ? 1.0 : clamp(path.firstDistance / scale, 0.0, 1.0);
+    if (path.firstLobes == kSpecularLobe)
+    {
+        sums.specular += demodulated;
+        sums.specularHit += normalized;
+        sums.specularDistance = path.firstDistance;
+        sums.specularDirection = path.firstDirection;
+        return;
+    }
+    sums.diffuse += demodulated;
+    sums.diffuseHit += normalized;
+    sums.diffuseDistance = path.firstDistance;
+    sums.diffuseDirection = path.firstDirection;
+}
+
+// The factors are what demodulation divides by; `isSplit` false gives plain paths with both lobes, summed in .diffuse.
 PathSums tracePaths(Surface primary, float viewZ, float width, vec3 diffuseFactor, vec3 specularFactor, uint seed,
                     bool isSplit)
 {
     PathSums sums = PathSums(vec3(0.0), vec3(0.0), 0.0, 0.0, 0.0, 0.0, vec3(0.0), vec3(0.0));
     float diffuseScale = g.hitDistanceParameters.x + g.hitDistanceParameters.y * abs(viewZ);
     float specularScale = diffuseScale * mix(g.hitDistanceParameters.z, 1.0, lobeSpread(primary.roughness));
-    bool hasDiffuse = isSplit && max(primary.albedo.r, max(primary.albedo.g, primary.albedo.b)) > 0.0;
+    bool hasDiffuse = isSplit && brightest(primary.albedo) > 0.0;
+    Bsdf bsdf = makeBsdf(primary);
     uint total = g.sampling.z * (hasDiffuse ? 2u : 1u);
     uint item = 0u;
-
-    Surface s = primary;
-    Bsdf bsdf = makeBsdf(primary);
-    uint lobes = 0u, firstLobes = 0u, bounce = 0u, pathSeed = 0u, index = 0u;
-    vec3 throughput = vec3(1.0), radiance = vec3(0.0), firstDirection = vec3(0.0);
-    float firstDistance = 0.0, spread = 0.0, rayWidth = width, blur = 0.0;
     bool isNew = true;
+    Path path = startPath(primary, bsdf, 0u, 0u, seed, width);
     while (item < total)
     {
-        if (isNew)
-        {
-            s = primary;
-            bsdf = makeBsdf(primary);
-            lobes = !isSplit ? kDiffuseLobe | kSpecularLobe : hasDiffuse && (item & 1u) == 0u ? kDiffuseLobe : kSpecularLobe;
-            firstLobes = lobes;
-            index = g.sampling.y + (hasDiffuse ? item >> 1 : item);
-            pathSeed = hash(seed ^ (lobes * 0x9E3779B9u));
-            bounce = 0u;
-            throughput = vec3(1.0);
-            radiance = vec3(0.0);
-            firstDistance = 0.0;
-            firstDirection = vec3(0.0);
-            rayWidth = width;
-            spread = g.frustum.z;
-            blur = 0.0;
-            isNew = false;
-        }
-        uint pair = pathSeed + bounce * kPairsPerBounce * 0x632BE5ABu;
-        vec2 uLight = sampleSquare(pair, index);
-        vec2 uLobe = sampleSquare(pair + 0x632BE5ABu, index);
-        vec2 uChoice = sampleSquare(pair + 0xC657CB56u, index);
-
-        // Light that reaches this vertex directly.
-        LightSample light = sampleLights(s, uChoice.x, uLight);
-        Evaluation toLight = evaluate(s, bsdf, light.direction, lobes);
-        vec3 contribution = throughput * toLight.value * light.radiance;
-        contribution *= light.pdf > 0.0 ? powerHeuristic(light.pdf, toLight.pdf) : 1.0;
-        float reach = max(contribution.r, max(contribution.g, contribution.b)) > 0.0 ? light.distance : 0.0;
-        Hit shadow = traceRay(offsetOrigin(s, light.direction), light.direction, reach, true);
-        radiance += shadow.triangle == kNoHit ? contribution : vec3(0.0);
-
-        // On along the path.
-        bool isSpecular = uChoice.y < lobeShare(bsdf, lobes);
-        vec3 direction = isSpecular ? sampleSpecular(s, bsdf, uLobe) : sampleCosine(uLobe, s.normal);
-        Evaluation next = evaluate(s, bsdf, direction, lobes);
-        bool isAlive = next.pdf > 0.0;
-        throughput *= isAlive ? next.value / next.pdf : vec3(0.0);
-        spread += isSpecular ? 0.5 * bsdf.alpha : 0.3;
-        // Glossy surfaces seen by a rough bounce are made rougher: what they focus is found too seldom to be anything
-        // but fireflies (path space regularisation, Kaplanyan and Dachsbacher 2013).
-        blur = max(blur, isSpecular ? s.roughness : 1.0);
-        if (bounce >= kRouletteBounce)
-        {
-            float survival = clamp(max(throughput.r, max(throughput.g, throughput.b)), 0.05, 1.0);
-            float u = toUnit(hash(hash(pair) ^ index));
-            isAlive = isAlive && u < survival;
-            throughput /= survival;
-        }
-        Hit hit = traceRay(offsetOrigin(s, direction), direction, isAlive ? 1e30 : 0.0, false);
-        bool isMiss = hit.triangle == kNoHit;
-        if (bounce == 0u)
-        {
-            // A sample that points into its own surface is a contact, not "no sample".
-            firstDistance = !isAlive ? 1e-3 : isMiss ? kMiss : clamp(hit.t, 1e-4, 65000.0);
-            firstDirection = direction;
-        }
-        if (kHasEnvironment && isAlive && isMiss)
-        {
-            vec4 sky = environmentAt(direction);
-            float pdf = sky.w * lightProbability(int(g.environment.z));
-            radiance += throughput * sky.rgb * powerHeuristic(next.pdf, pdf);
-        }
-        isAlive = isAlive && !isMiss;
-        hit.triangle = isAlive ? hit.triangle : 0;
-        rayWidth += spread * hit.t;
-        s = fetchSurface(hit, direction, isAlive ? rayWidth : 0.0, blur * g.limits.x);
-        bsdf = makeBsdf(s);
-        if (kHasTriangleLights && isAlive && s.light != 0u)
-        {
-            float pdf = lightPdf(s, hit, hit.t);
-            radiance += throughput * s.emission * powerHeuristic(next.pdf, pdf);
-        }
-        ++bounce;
-        isAlive = isAlive && bounce < g.environment.w && max(throughput.r, max(throughput.g, throughput.b)) > 1e-5;
-        if (!isAlive)
-        {
-            bool isDiffuse = firstLobes == kDiffuseLobe;
-            vec3 demodulated = bounded(!isSplit ? radiance : radiance / (isDiffuse ? diffuseFactor : specularFactor));
-            float scale = isDiffuse ? diffuseScale : specularScale;
-            float normalized = firstDistance >= kMiss ? 1.0 : clamp(firstDistance / scale, 0.0, 1.0);
-            if (isDiffuse || !isSplit)
-            {
-                sums.diffuse += demodulated;
-                sums.diffuseHit += normalized;
-                sums.diffuseDistance = firstDistance;
-                sums.diffuseDirection = firstDirection;
-            }
-            else
-            {
-                sums.specular += demodulated;
-                sums.specularHit += normalized;
-                sums.specularDistance = firstDistance;
-                sums.specularDirection = firstDirection;
-            }
-            ++item;
-            isNew = true;
-        }
-        lobes = kDiffuseLobe | kSpecularLobe;
+        uint firstLobes = !isSplit ? kDiffuseLobe | kSpecularLobe : kSpecularLobe;
+        if (hasDiffuse && (item & 1u) == 0u) firstLobes = kDiffuseLobe;
+        uint index = g.sampling.y + (hasDiffuse ? item >> 1 : item);
+        if (isNew) path = startPath(primary, bsdf, firstLobes, index, seed, width);
+        uint pair = path.seed + path.bounce * kPairsPerBounce * 0x632BE5ABu;
+        vec2 choices = sampleSquare(pair + 0xC657CB56u, index);
+        addLight(path, choices.x, sampleSquare(pair, index));
+        vec3 direction;
+        float pdf;
+        float chance = toUnit(hash(hash(pair) ^ index));
+        bool isAlive = sampleDirection(path, sampleSquare(pair + 0x632BE5ABu, index), choices.y, chance, direction, pdf);
+        isNew = !advance(path, direction, pdf, isAlive);
+        if (!isNew) continue;
+        bool isDiffuse = path.firstLobes == kDiffuseLobe;
+        vec3 factor = !isSplit ? vec3(1.0) : isDiffuse ? diffuseFactor : specularFactor;
+        finishPath(sums, path, factor, isDiffuse ? diffuseScale : specularScale);
+        ++item;
     }
     return sums;
 }

@@ -47,7 +47,7 @@ vec3 applyNormalMap(vec3 n, int triangle, int material, vec2 b, float logWidth, 
     return normalize(mapped);
 }
 
-// log2 of the ray's width in texture space, assuming the texture is laid over the triangle once per unit of uv.
+// log2 of the ray's width in units of the first texture coordinates.
 float logFootprint(int triangle, vec3 e1, vec3 e2, float width, float cosine)
 {
     vec2 a = uintBitsToFloat(texelFetch(gVertices, 6 * triangle).zw);
@@ -58,17 +58,28 @@ float logFootprint(int triangle, vec3 e1, vec3 e2, float width, float cosine)
     return log2(max(width, 1e-10)) + 0.5 * log2(max(uvArea, 1e-20) / max(area * cosine, 1e-20));
 }
 
+vec3 smoothNormal(int triangle, vec2 b, vec3 otherwise)
+{
+    vec3 n0 = unpackNormal(texelFetch(gVertices, 6 * triangle).x);
+    vec3 n1 = unpackNormal(texelFetch(gVertices, 6 * triangle + 2).x);
+    vec3 n2 = unpackNormal(texelFetch(gVertices, 6 * triangle + 4).x);
+    vec3 n = n0 * (1.0 - b.x - b.y) + n1 * b.x + n2 * b.y;
+    return dot(n, n) > 1e-8 ? normalize(n) : otherwise;
+}
+
 // `width` is the width of the ray where it hits, in world units; `minRoughness` is what the path demands.
 Surface fetchSurface(Hit hit, vec3 direction, float width, float minRoughness)
 {
     int i = hit.triangle;
     vec2 b = hit.barycentrics;
-    uvec4 a0 = texelFetch(gTriangles, 3 * i), a1 = texelFetch(gTriangles, 3 * i + 1), a2 = texelFetch(gTriangles, 3 * i + 2);
+    uvec4 a0 = texelFetch(gTriangles, 3 * i), a1 = texelFetch(gTriangles, 3 * i + 1);
+    uvec4 a2 = texelFetch(gTriangles, 3 * i + 2);
     vec3 e1 = uintBitsToFloat(a1.xyz), e2 = uintBitsToFloat(a2.xyz);
     int material = int(a0.w);
     vec4 baseColor = uintBitsToFloat(texelFetch(gMaterials, 16 * material));
     vec3 emission = uintBitsToFloat(texelFetch(gMaterials, 16 * material + 1).xyz);
-    vec4 parameters = uintBitsToFloat(texelFetch(gMaterials, 16 * material + 2)); // metallic, roughness, normal scale, two-sided
+    // Metallic, roughness, scale of the normal map, two-sided.
+    vec4 parameters = uintBitsToFloat(texelFetch(gMaterials, 16 * material + 2));
 
     Surface s;
     s.position = uintBitsToFloat(a0.xyz) + e1 * b.x + e2 * b.y;
@@ -79,11 +90,7 @@ Surface fetchSurface(Hit hit, vec3 direction, float width, float minRoughness)
     s.material = a0.w;
     s.light = a2.w;
 
-    vec3 n0 = unpackNormal(texelFetch(gVertices, 6 * i).x);
-    vec3 n1 = unpackNormal(texelFetch(gVertices, 6 * i + 2).x);
-    vec3 n2 = unpackNormal(texelFetch(gVertices, 6 * i + 4).x);
-    vec3 n = n0 * (1.0 - b.x - b.y) + n1 * b.x + n2 * b.y;
-    n = dot(n, n) > 1e-8 ? normalize(n) : s.geometricNormal;
+    vec3 n = smoothNormal(i, b, s.geometricNormal);
     if (kHasTextures)
     {
         float logWidth = logFootprint(i, e1, e2, width, abs(dot(s.geometricNormal, direction)));

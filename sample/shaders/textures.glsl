@@ -29,8 +29,7 @@ vec2 texCoordOf(int triangle, uint set, vec2 b)
     return c[0] * (1.0 - b.x - b.y) + c[1] * b.x + c[2] * b.y;
 }
 
-// Texture slot `slot` of a material at a hit. `footprint` is the width of the ray in texture space, as a fraction of
-// the triangle's: log2 of texels per pixel is found from `logDensity` = log2(ray width / size of the triangle).
+// Texture slot `slot` of a material at a hit. `logWidth` is log2 of the ray's width in units of texture coordinates.
 vec4 fetchTexture(int triangle, int material, int slot, vec2 barycentrics, float logWidth)
 {
     int at = 16 * material + 3 + 3 * slot;
@@ -77,6 +76,7 @@ vec4 colorOf(int triangle, vec2 b)
 float fetchAlpha(int triangle, int material, vec2 barycentrics)
 {
     float factor = uintBitsToFloat(texelFetch(gMaterials, 16 * material).w);
-    return factor * fetchTexture(triangle, material, kBaseColor, barycentrics, -20.0).a * colorOf(triangle, barycentrics).a;
+    vec4 texel = fetchTexture(triangle, material, kBaseColor, barycentrics, -20.0);
+    return factor * texel.a * colorOf(triangle, barycentrics).a;
 }
 #endif

@@ -27,6 +27,28 @@ bool isCutOut(int triangle, vec2 barycentrics)
     return fetchAlpha(triangle, int(material), barycentrics) < cutoff;
 }
 
+// Moeller and Trumbore 1997; a degenerate triangle gives NaN, which fails every comparison.
+void testLeaf(uint leaf, vec3 origin, vec3 direction, inout Hit hit)
+{
+    int last = int(leaf >> 3) + int(leaf & 7u);
+    for (int i = int(leaf >> 3); i < last; ++i)
+    {
+        vec3 corner = uintBitsToFloat(texelFetch(gTriangles, 3 * i).xyz);
+        vec3 e1 = uintBitsToFloat(texelFetch(gTriangles, 3 * i + 1).xyz);
+        vec3 e2 = uintBitsToFloat(texelFetch(gTriangles, 3 * i + 2).xyz);
+        vec3 p = cross(direction, e2);
+        float scale = 1.0 / dot(e1, p);
+        vec3 s = origin - corner;
+        vec3 q = cross(s, e1);
+        vec2 uv = vec2(dot(s, p), dot(direction, q)) * scale;
+        float t = dot(e2, q) * scale;
+        // A hair wider than the triangle: rounding must not open cracks between neighbours.
+        bool isHit = min(uv.x, uv.y) >= -kEdge && uv.x + uv.y <= 1.0 + kEdge && t > 0.0 && t < hit.t;
+        if (kHasAlphaMask) isHit = isHit && !isCutOut(i, uv);
+        if (isHit) hit = Hit(i, t, uv);
+    }
+}
+
 // Nearest hit in (0; tMax), or with `isAnyEnough` the first that is found.
 Hit traceRay(vec3 origin, vec3 direction, float tMax, bool isAnyEnough)
 {
@@ -55,24 +77,7 @@ Hit traceRay(vec3 origin, vec3 direction, float tMax, bool isAnyEnough)
             node = isInside && b.w == 0u ? node + 1 : first + int(a.w);
         }
         if (leaf == 0u) break;
-        int last = int(leaf >> 3) + int(leaf & 7u);
-        for (int i = int(leaf >> 3); i < last; ++i)
-        {
-            vec3 corner = uintBitsToFloat(texelFetch(gTriangles, 3 * i).xyz);
-            vec3 e1 = uintBitsToFloat(texelFetch(gTriangles, 3 * i + 1).xyz);
-            vec3 e2 = uintBitsToFloat(texelFetch(gTriangles, 3 * i + 2).xyz);
-            // Moeller and Trumbore 1997; a degenerate triangle gives NaN, which fails every comparison.
-            vec3 p = cross(direction, e2);
-            float scale = 1.0 / dot(e1, p);
-            vec3 s = origin - corner;
-            vec3 q = cross(s, e1);
-            vec2 uv = vec2(dot(s, p), dot(direction, q)) * scale;
-            float t = dot(e2, q) * scale;
-            // A hair wider than the triangle: rounding must not open cracks between neighbours.
-            bool isHit = min(uv.x, uv.y) >= -kEdge && uv.x + uv.y <= 1.0 + kEdge && t > 0.0 && t < hit.t;
-            if (kHasAlphaMask) isHit = isHit && !isCutOut(i, uv);
-            if (isHit) hit = Hit(i, t, uv);
-        }
+        testLeaf(leaf, origin, direction, hit);
         if (isAnyEnough && hit.triangle != kNoHit) break;
     }
     return hit;
