@@ -100,6 +100,55 @@ uint32_t toInteger(const uint8_t* bytes, int type)
     }
 }
 
+// What an accessor's elements look like in memory.
+struct ElementLayout
+{
+    size_t components = 0;
+    size_t componentBytes = 0;
+    size_t bytes() const { return components * componentBytes; }
+};
+
+ElementLayout findLayout(const tinygltf::Accessor& accessor, const std::string& what)
+{
+    const int components = tinygltf::GetNumComponentsInType(static_cast<uint32_t>(accessor.type));
+    if (components < 1) fail(what, "its accessor has an unknown type");
+    if (accessor.count > (accessor.bufferView >= 0 ? kMaxCount : kMaxZeroCount))
+        fail(what, "its accessor claims too many elements");
+    return {size_t(components), componentSize(accessor.componentType, what)};
+}
+
+// The sparse part: which elements it replaces, and where their values are.
+struct SparsePart
+{
+    std::vector<uint32_t> targets; // each below the accessor's count
+    ElementRange values;
+};
+
+SparsePart findSparse(const tinygltf::Model& model, const tinygltf::Accessor& accessor, size_t elementSize,
+                      const std::string& what)
+{
+    if (!accessor.sparse.isSparse) return {};
+    const auto& sparse = accessor.sparse;
+    if (sparse.count < 0 || size_t(sparse.count) > accessor.count)
+        fail(what, "the sparse part of its accessor has more elements than the accessor");
+    const size_t count = size_t(sparse.count);
+    const int type = sparse.indices.componentType;
+    const ElementRange indices =
+        findRange(model, sparse.indices.bufferView, size_t(std::max(sparse.indices.byteOffset, 0)),
+                  componentSize(type, what), count, what);
+    SparsePart part;
+    part.values = findRange(model, sparse.values.bufferView, size_t(std::max(sparse.values.byteOffset, 0)), elementSize,
+                            count, what);
+    for (size_t i = 0; i < count; ++i)
+    {
+        part.targets.push_back(toInteger(indices.at(i), type));
+        if (part.targets.back() >= accessor.count)
+            fail(what, "the sparse part of its accessor writes element " + std::to_string(part.targets.back()) +
+                           " of " + std::to_string(accessor.count));
+    }
+    return part;
+}
+
 // Reads all elements, then overwrites those of the sparse part. `convert` makes a T of one component's bytes.
 template <class T, class Convert>
 AccessorData<T> readElements(const tinygltf::Model& model, int index, const std::string& what, Convert convert)
@@ -107,48 +156,24 @@ AccessorData<T> readElements(const tinygltf::Model& model, int index, const std:
     if (index < 0 || size_t(index) >= model.accessors.size())
         fail(what, "accessor " + std::to_string(index) + " does not exist");
     const tinygltf::Accessor& accessor = model.accessors[size_t(index)];
-    const int components = tinygltf::GetNumComponentsInType(static_cast<uint32_t>(accessor.type));
-    if (components < 1) fail(what, "accessor " + std::to_string(index) + " has an unknown type");
-    if (accessor.count > (accessor.bufferView >= 0 ? kMaxCount : kMaxZeroCount))
-        fail(what, "accessor " + std::to_string(index) + " claims too many elements");
-    const size_t size = componentSize(accessor.componentType, what);
-    const size_t elementSize = size * size_t(components);
-
-    AccessorData<T> result;
-    result.componentCount = static_cast<uint32_t>(components);
-    result.count = accessor.count;
-    const auto copy = [&](const ElementRange& range, size_t from, size_t to)
-    {
-        for (int c = 0; c < components; ++c)
-            result.values[to * size_t(components) + size_t(c)] =
-                convert(range.at(from) + size_t(c) * size, accessor.componentType, accessor.normalized);
-    };
+    const ElementLayout layout = findLayout(accessor, what);
     ElementRange dense;
     if (accessor.bufferView >= 0)
-        dense = findRange(model, accessor.bufferView, accessor.byteOffset, elementSize, accessor.count, what);
-    result.values.resize(accessor.count * size_t(components)); // after the range check: a lie must not cost memory
-    if (accessor.bufferView >= 0)
-        for (size_t i = 0; i < accessor.count; ++i) copy(dense, i, i);
-    if (!accessor.sparse.isSparse) return result;
+        dense = findRange(model, accessor.bufferView, accessor.byteOffset, layout.bytes(), accessor.count, what);
+    const SparsePart sparse = findSparse(model, accessor, layout.bytes(), what);
 
-    const auto& sparse = accessor.sparse;
-    if (sparse.count < 0 || size_t(sparse.count) > accessor.count)
-        fail(what, "the sparse part of accessor " + std::to_string(index) + " has more elements than the accessor");
-    const size_t count = size_t(sparse.count);
-    const int indexType = sparse.indices.componentType;
-    const ElementRange indices =
-        findRange(model, sparse.indices.bufferView, size_t(std::max(sparse.indices.byteOffset, 0)),
-                  componentSize(indexType, what), count, what);
-    const ElementRange values = findRange(model, sparse.values.bufferView,
-                                          size_t(std::max(sparse.values.byteOffset, 0)), elementSize, count, what);
-    for (size_t i = 0; i < count; ++i)
+    AccessorData<T> result;
+    result.componentCount = static_cast<uint32_t>(layout.components);
+    result.count = accessor.count;
+    result.values.resize(accessor.count * layout.components); // after the checks: a lie must not cost memory
+    const auto copy = [&](const uint8_t* from, size_t to)
     {
-        const uint32_t target = toInteger(indices.at(i), indexType);
-        if (target >= accessor.count)
-            fail(what, "the sparse part of accessor " + std::to_string(index) + " writes element " +
-                           std::to_string(target) + " of " + std::to_string(accessor.count));
-        copy(values, i, target);
-    }
+        for (size_t c = 0; c < layout.components; ++c)
+            result.values[to * layout.components + c] =
+                convert(from + c * layout.componentBytes, accessor.componentType, accessor.normalized);
+    };
+    for (size_t i = 0; dense.data && i < accessor.count; ++i) copy(dense.at(i), i);
+    for (size_t i = 0; i < sparse.targets.size(); ++i) copy(sparse.values.at(i), sparse.targets[i]);
     return result;
 }
 } // namespace

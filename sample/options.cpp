@@ -39,7 +39,7 @@ void checkPicture(const std::filesystem::path& file, const char* option)
         throw CLI::ValidationError(option, "'" + file.string() + "' does not end in .png or .exr");
 }
 
-void addOptions(CLI::App& app, Options& o)
+void addRendering(CLI::App& app, Options& o)
 {
     app.add_option("SCENE", o.scene, "glTF 2.0 file, .gltf or .glb");
     app.add_flag("--headless", o.isHeadless, "Render without a window");
@@ -60,6 +60,10 @@ void addOptions(CLI::App& app, Options& o)
         ->check(CLI::Range(0.0, 1.0));
     app.add_flag("--jitter", o.hasJitter, "Move the sub-pixel position from frame to frame");
     app.add_option("--seed", o.seed, "Of the noise, default 0");
+}
+
+void addOutputs(CLI::App& app, Options& o)
+{
     app.add_option("--screenshot", o.screenshot, "Denoised picture of the last frame, .png or .exr");
     app.add_option("--noisy-screenshot", o.noisyScreenshot, "Noisy picture of the last frame");
     app.add_option("--reference-screenshot", o.referenceScreenshot,
@@ -84,6 +88,10 @@ void addOptions(CLI::App& app, Options& o)
         ->option_text("LIST");
     app.add_option("--demo", o.demo, "Folder for noisy, denoised and reference pictures; prints the table of errors")
         ->option_text("DIR");
+}
+
+void addDevice(CLI::App& app, Options& o)
+{
     app.add_option("--device", o.device, "Index or part of the name of the Vulkan device");
     app.add_flag("--list-devices", o.listDevices, "Print the Vulkan devices and exit");
     app.add_flag("--validation", o.validation, "Khronos validation with synchronisation; any message is a failure");
@@ -144,7 +152,9 @@ std::optional<Options> parseOptions(int argumentCount, char** arguments, int& ex
                                           std::to_string(nrd::kVersionMinor) + "." +
                                           std::to_string(nrd::kVersionBuild));
     app.footer(kFooter);
-    addOptions(app, options);
+    addRendering(app, options);
+    addOutputs(app, options);
+    addDevice(app, options);
     try
     {
         app.parse(argumentCount, arguments);
