@@ -13,6 +13,14 @@ options=(-DNRD_WERROR=ON)
 if [ ! -f "$build/build.ninja" ]; then cmake --preset ci -B "$build" "${options[@]}"; fi
 cmake --build "$build" -j "$jobs"
 
+# The recorded sequences, where the test data is: rendered once, in about a minute.
+data=$(sed -n 's/^NRD_TEST_DATA:PATH=//p' "$build/CMakeCache.txt")
+if [ -f "$data/peer/make-sequences.sh" ] && [ ! -f "$build/sequences/complete" ]; then
+    echo "Rendering the recorded sequences"
+    bash "$data/peer/make-sequences.sh" "$build/sequences"
+    touch "$build/sequences/complete"
+fi
+
 log="$build/tests.log"
 status=0
 ctest --test-dir "$build" --verbose --timeout 900 -j 1 > "$log" 2>&1 || status=$?

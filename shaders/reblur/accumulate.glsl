@@ -109,6 +109,8 @@ float fireflyScale(float n) { return g.fireflyMinScale + kFireflyHeadroom / (n +
 // Running mean up to the cap. Hit distances react faster the more mirror-like the lobe: they steer weights and tracking.
 vec4 mixHistory(vec4 history, vec4 signal, float n, float roughness)
 {
+    // Selected: mix() with weight 1 may round differently for different histories, and none may show after a cut.
+    if (n == 0.0) return signal;
     float weight = newSampleWeight(n);
     float spread = NRD_GetLobeSpread(roughness, 0.25);
     float hitDistWeight = max(weight, 1.0 / (1.0 + 0.5 * spread * g.maxAccumulatedFrameNum));
@@ -120,6 +122,9 @@ vec4 mixHistory(vec4 history, vec4 signal, float n, float roughness)
     mixed.w = mix(mixed.w, min(mixed.w, maxHitDist), blend);
     return changeLuma(mixed, luma);
 }
+
+// The short history that is never blurred.
+float mixFast(float history, float signal, float weight) { return weight == 1.0 ? signal : mix(history, signal, weight); }
 
 // Otherwise blotches travel over the picture during rotation at high frame rates.
 float limitFast(float fast, float historyLuma, float n)

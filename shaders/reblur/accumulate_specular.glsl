@@ -83,7 +83,8 @@ float surfaceConfidence(Surface s, SurfaceTrack track, float roughness, float no
     float weight = newSampleWeight(track.n[kSpecularChannel]);
     vec2 uv = clamp(track.uv, 0.0, 1.0) * g.rectSizePrev * g.resourceSizeInvPrev;
     float history = textureLod(sampler2D(gIn_SpecularHistory, gLinearClamp), uv, 0.0).w;
-    float hitDist = getHitDist(mix(history, normHitDist, weight), s.viewZ, s.guide.roughness);
+    float mixed = weight == 1.0 ? normHitDist : mix(history, normHitDist, weight);
+    float hitDist = getHitDist(mixed, s.viewZ, s.guide.roughness);
     float factor = hitDistFactor(hitDist, s.frustumSize);
     float tangent = lobeTangent(roughness, 0.75) * mix(s.NoV, 1.0, roughness) * weight / (factor + kEps);
     float allowed = max(atan(tangent), normalEncodingError(kNormalEncoding));
@@ -155,7 +156,7 @@ LobeResult accumulateSpecular(Surface s, SurfaceTrack surface)
     if (kHasMaterialTest && s.guide.materialID == g.strandMaterialID)
         fastLength = max(fastLength, g.maxAccumulatedFrameNum * 0.2);
     float fastWeight = max(1.0 - mix(trust.x, trust.y, amount), newSampleWeight(min(length, fastLength)));
-    result.fast = limitFast(mix(fastHistory, signal.x, fastWeight), history.x, length);
+    result.fast = limitFast(mixFast(fastHistory, signal.x, fastWeight), history.x, length);
     result.stabHistory = kHasStabilization ? readStabilized(kSpecularChannel, read) : 0.0;
     float valid = mix(dot(surface.weights, vec4(1.0)), dot(image.weights, vec4(1.0)), amount);
     result.stabWeight = g.isHistoryReset != 0u ? 0.0 : sqrt(saturate(valid));

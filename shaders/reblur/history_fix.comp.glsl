@@ -47,27 +47,91 @@ struct Moments
     vec2 sigma;
 };
 
-// Over the square of the given radius without an inner square; the centre may have been replaced since it was loaded.
-Moments fastMoments(int radius, int innerRadius, vec2 centre)
+// Sums over valid texels.
+struct Sums
 {
-    ivec2 local = ivec2(gl_LocalInvocationID.xy) + kRadius;
-    vec2 sum = vec2(0.0), sumSquared = vec2(0.0);
-    float count = 0.0;
-    for (int y = -radius; y <= radius; y++)
+    vec2 first;
+    vec2 second; // of squares
+    float count;
+};
+
+// Parts of a row by their distance from the middle: 0 and 1, then 2, then 3 and 4. The anti-firefly window is 9x9
+// without its inner 3x3, the window of the fast clamp is 5x5; both are sums of parts. Nothing is ever subtracted: beside
+// a firefly that would leave only rounding error.
+shared Sums sRow[3][kHalo.y][8];
+
+void add(inout Sums sums, vec2 value)
+{
+    bool isValid = value.x != kInvalid;
+    sums.first += isValid ? value : vec2(0.0);
+    sums.second += isValid ? value * value : vec2(0.0);
+    sums.count += isValid ? 1.0 : 0.0;
+}
+
+void add(inout Sums sums, Sums other)
+{
+    sums.first += other.first;
+    sums.second += other.second;
+    sums.count += other.count;
+}
+
+const Sums kNoSums = Sums(vec2(0.0), vec2(0.0), 0.0);
+
+void sumRows()
+{
+    for (int i = int(gl_LocalInvocationIndex); i < 8 * kHalo.y; i += 128)
     {
-        for (int x = -radius; x <= radius; x++)
+        ivec2 local = ivec2(i % 8, i / 8);
+        const int bounds[4] = int[](0, 2, 3, 5);
+        for (int part = 0; part < 3; part++)
         {
-            if (max(abs(x), abs(y)) <= innerRadius) continue;
-            vec2 value = sFast[local.y + y][local.x + x];
-            // What is out of range counts as the centre.
-            value = (x == 0 && y == 0) || value.x == kInvalid ? centre : value;
-            sum += value;
-            sumSquared += value * value;
-            count += 1.0;
+            Sums sums = kNoSums;
+            for (int x = bounds[part]; x < bounds[part + 1]; x++)
+            {
+                add(sums, sFast[local.y][local.x + kRadius + x]);
+                if (x > 0) add(sums, sFast[local.y][local.x + kRadius - x]);
+            }
+            sRow[part][local.y][local.x] = sums;
         }
     }
-    vec2 mean = sum / count;
-    return Moments(mean, sqrt(abs(sumSquared / count - mean * mean)));
+}
+
+// What is out of range counts as the centre.
+Moments makeMoments(Sums sums, float count, vec2 centre)
+{
+    float missing = count - sums.count;
+    vec2 mean = (sums.first + missing * centre) / count;
+    vec2 square = (sums.second + missing * centre * centre) / count;
+    return Moments(mean, sqrt(abs(square - mean * mean)));
+}
+
+// The inner 3x3 is left out: a firefly's own blob must not widen the bounds.
+Moments wideMoments(vec2 centre)
+{
+    ivec2 local = ivec2(gl_LocalInvocationID.xy);
+    Sums sums = kNoSums;
+    for (int y = -4; y <= 4; y++)
+    {
+        if (abs(y) > 1) add(sums, sRow[0][local.y + kRadius + y][local.x]);
+        add(sums, sRow[1][local.y + kRadius + y][local.x]);
+        add(sums, sRow[2][local.y + kRadius + y][local.x]);
+    }
+    return makeMoments(sums, 72.0, centre);
+}
+
+// The centre counts with the value it has now, not the one that was loaded.
+Moments nearMoments(vec2 centre)
+{
+    ivec2 local = ivec2(gl_LocalInvocationID.xy);
+    Sums sums = Sums(centre, centre * centre, 1.0);
+    for (int y = -2; y <= 2; y++)
+    {
+        if (y != 0) add(sums, sRow[0][local.y + kRadius + y][local.x]);
+        add(sums, sRow[1][local.y + kRadius + y][local.x]);
+    }
+    add(sums, sFast[local.y + kRadius][local.x + kRadius - 1]);
+    add(sums, sFast[local.y + kRadius][local.x + kRadius + 1]);
+    return makeMoments(sums, 25.0, centre);
 }
 
 // Which share of a pixel and its 2x2 partners needs the fix: a smaller stride where they are stable.
@@ -159,6 +223,8 @@ void main()
     if (texelFetch(gIn_Tiles, group / TILE_SIZE, 0).x > 0.5) return; // the same for the whole group
     loadFast(group);
     barrier();
+    sumRows();
+    barrier();
     ivec2 position = ivec2(gl_GlobalInvocationID.xy);
     if (!isInRect(position)) return;
     float viewZ = decodeViewZ(texelFetch(gIn_ViewZ, guideTexel(position), 0).x);
@@ -186,11 +252,10 @@ void main()
     vec2 luma = vec2(signals[0].x, signals[1].x);
     if (kHasAntiFirefly)
     {
-        // The inner 3x3 is left out: a firefly's own blob must not widen the bounds.
-        Moments wide = fastMoments(4, 1, fast);
+        Moments wide = wideMoments(fast);
         for (int i = 0; i < LOBE_NUM; i++) luma[i] = clampTo(luma[i], wide, i, kAntiFireflySigmaScale);
     }
-    Moments near = fastMoments(2, -1, fast);
+    Moments near = nearMoments(fast);
     bool isStrand = kHasMaterialTest && p.guide.materialID == g.strandMaterialID;
     for (int i = 0; i < LOBE_NUM; i++)
     {

@@ -70,7 +70,7 @@ LobeResult accumulateDiffuse(Surface s, SurfaceTrack surface)
     float fastHistory = fetchBilinear(gIn_Fast, read.origin, read.weights, lastPrevTexel()).x;
     vec4 mixed = mixHistory(history, signal, result.n, 1.0);
     float fastWeight = newSampleWeight(min(result.n, g.maxFastAccumulatedFrameNum));
-    result.fast = limitFast(mix(fastHistory, signal.x, fastWeight), history.x, result.n);
+    result.fast = limitFast(mixFast(fastHistory, signal.x, fastWeight), history.x, result.n);
     imageStore(gOut_Diffuse, s.pixel, roundToHalf(mixed));
     result.stabHistory = kHasStabilization ? readStabilized(0, read) : 0.0;
     result.stabWeight = g.isHistoryReset != 0u ? 0.0 : sqrt(saturate(dot(surface.weights, vec4(1.0))));

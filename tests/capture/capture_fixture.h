@@ -1,6 +1,6 @@
 // A small valid capture in a folder of its own, for tests to break.
 #pragma once
-#include "catch_compat.h"
+#include "catch.h"
 
 #include "capture.h"
 

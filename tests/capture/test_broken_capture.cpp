@@ -109,7 +109,7 @@ TEST_CASE("every wrong value of capture.json is named", "[unit]")
         };
         editJson(folder.path(), change);
         const std::string error = readingError(folder.path());
-        CHECK_THAT(error, contains("capture.json: " + std::string(row.key)));
+        CHECK_THAT(error, containing("capture.json: " + std::string(row.key)));
         CHECK(error.find('\n') == std::string::npos);
     }
 }
@@ -122,22 +122,22 @@ TEST_CASE("text that is no JSON object ends in one sentence", "[unit]")
                                     std::string("\xff\xfe{}"), std::string(100000, '['), std::string("{\"a\":1e999}")})
     {
         writeBytes(folder.path() / "capture.json", text);
-        CHECK_THAT(readingError(folder.path()), contains("capture.json"));
+        CHECK_THAT(readingError(folder.path()), containing("capture.json"));
     }
 }
 
 TEST_CASE("missing folders and files are named", "[unit]")
 {
     TempFolder folder;
-    CHECK_THAT(readingError(folder.path() / "none"), contains("none is not a folder"));
-    CHECK_THAT(readingError(folder.path()), contains("capture.json does not exist"));
+    CHECK_THAT(readingError(folder.path() / "none"), containing("none is not a folder"));
+    CHECK_THAT(readingError(folder.path()), containing("capture.json does not exist"));
     writeCapture(folder.path());
     std::filesystem::remove(folder.path() / "reference_0002.exr");
-    CHECK_THAT(readingError(folder.path()), contains("reference_0002.exr does not exist"));
+    CHECK_THAT(readingError(folder.path()), containing("reference_0002.exr does not exist"));
     std::filesystem::remove(folder.path() / "frame_0001.exr");
-    CHECK_THAT(readingError(folder.path()), contains("frame_0001.exr does not exist"));
+    CHECK_THAT(readingError(folder.path()), containing("frame_0001.exr does not exist"));
     std::filesystem::create_directory(folder.path() / "frame_0001.exr");
-    CHECK_THAT(readingError(folder.path()), contains("frame_0001.exr does not exist"));
+    CHECK_THAT(readingError(folder.path()), containing("frame_0001.exr does not exist"));
 }
 
 TEST_CASE("a frame of another size, with half a layer or with other layers is named", "[unit]")
@@ -148,21 +148,22 @@ TEST_CASE("a frame of another size, with half a layer or with other layers is na
 
     writeCapture(folder.path());
     editJson(folder.path(), [](Json& json) { json["resolution"] = {5, 7}; });
-    CHECK_THAT(readingError(folder.path()), contains("frame_0000.exr has 7 x 5 pixels, but the capture states 5 x 7"));
+    CHECK_THAT(readingError(folder.path()),
+               containing("frame_0000.exr has 7 x 5 pixels, but the capture states 5 x 7"));
 
     writeCapture(folder.path());
     editFrame(folder.path(), [&](ExrPicture& p) { p.channels.erase(channelOf(p, "diffuse.hitDist")); });
     CHECK_THAT(readingError(folder.path()),
-               contains("frame_0001.exr has no channel diffuse.hitDist, though it has diffuse."));
+               containing("frame_0001.exr has no channel diffuse.hitDist, though it has diffuse."));
 
     writeCapture(folder.path());
     editFrame(folder.path(), [&](ExrPicture& p) { p.channels.erase(channelOf(p, "viewZ")); });
-    CHECK_THAT(readingError(folder.path()), contains("frame_0001.exr has no channel viewZ"));
+    CHECK_THAT(readingError(folder.path()), containing("frame_0001.exr has no channel viewZ"));
 
     writeCapture(folder.path());
     editFrame(folder.path(), [&](ExrPicture& p) { p.channels.erase(channelOf(p, "roughness")); });
     CHECK_THAT(readingError(folder.path()),
-               contains("frame_0001.exr has no channel roughness, though frame_0000.exr has it"));
+               containing("frame_0001.exr has no channel roughness, though frame_0000.exr has it"));
 
     writeCapture(folder.path());
     editFrame(folder.path(),
@@ -211,7 +212,7 @@ TEST_CASE("a lossy frame is refused", "[unit]")
         output.setFrameBuffer(buffer);
         output.writePixels(picture.height);
     }
-    CHECK_THAT(readingError(folder.path()), contains("frame_0001.exr uses a lossy compression"));
+    CHECK_THAT(readingError(folder.path()), containing("frame_0001.exr uses a lossy compression"));
 }
 
 TEST_CASE("a truncated frame is refused at every length", "[unit]")
@@ -223,7 +224,7 @@ TEST_CASE("a truncated frame is refused at every length", "[unit]")
     {
         INFO("length " << length << " of " << bytes.size());
         writeBytes(folder.path() / "frame_0001.exr", bytes.substr(0, length));
-        CHECK_THAT(readingError(folder.path()), contains("frame_0001.exr"));
+        CHECK_THAT(readingError(folder.path()), containing("frame_0001.exr"));
     }
 }
 
@@ -243,7 +244,7 @@ TEST_CASE("changed bytes in a frame end in an error or in a picture, never in a 
         writeBytes(folder.path() / "frame_0001.exr", bytes);
         const std::string error = readingError(folder.path());
         refusedCount += !error.empty();
-        if (!error.empty()) CHECK_THAT(error, contains("frame_0001.exr"));
+        if (!error.empty()) CHECK_THAT(error, containing("frame_0001.exr"));
         CHECK(error.find('\n') == std::string::npos);
     }
     CHECK(refusedCount > 300);

@@ -112,13 +112,13 @@ TEST_CASE("the writer refuses what a reader would refuse", "[unit]")
           (folder.path() / "frame_0000.exr").string() + ", channel motion.Y is infinite at pixel (1, 1)");
     planes = makePlanes(false);
     planes[Channel::DiffuseG].clear();
-    CHECK_THAT(errorOf([&] { writer.addFrame({}, planes); }), contains("no channel diffuse.G"));
+    CHECK_THAT(errorOf([&] { writer.addFrame({}, planes); }), containing("no channel diffuse.G"));
     planes = makePlanes(false);
     planes[Channel::SunB].pop_back();
-    CHECK_THAT(errorOf([&] { writer.addFrame({}, planes); }), contains("channel sun.B"));
+    CHECK_THAT(errorOf([&] { writer.addFrame({}, planes); }), containing("channel sun.B"));
     planes = makePlanes(false);
     planes.width = kWidth + 1;
-    CHECK_THAT(errorOf([&] { writer.addFrame({}, planes); }), contains("8 x 5 pixels"));
+    CHECK_THAT(errorOf([&] { writer.addFrame({}, planes); }), containing("8 x 5 pixels"));
     writer.addFrame({}, makePlanes(false));
     CHECK_FALSE(std::filesystem::exists(folder.path() / "capture.json")); // not a capture before finish()
     writer.finish();

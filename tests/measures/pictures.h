@@ -1,6 +1,6 @@
 // Small pictures for the tests of the measures.
 #pragma once
-#include "catch_compat.h"
+#include "catch.h"
 
 #include "measures.h"
 

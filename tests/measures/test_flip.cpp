@@ -55,7 +55,7 @@ TEST_CASE("FLIP of constant pictures is the paper's colour distance", "[unit]")
         {
             const std::vector<float> fa(a, a + 3), fb(b, b + 3);
             INFO(a[0] << " " << a[1] << " " << a[2] << " against " << b[0] << " " << b[1] << " " << b[2]);
-            CHECK(flipOf(fa, fb) == test::Approx(expectedForConstants(a, b)).epsilon(1e-3).margin(2e-3));
+            CHECK(flipOf(fa, fb) == Approx(expectedForConstants(a, b)).epsilon(1e-3).margin(2e-3));
         }
     }
 }
@@ -63,9 +63,9 @@ TEST_CASE("FLIP of constant pictures is the paper's colour distance", "[unit]")
 TEST_CASE("FLIP has its largest colour error between green and blue, and a known value of black against white",
           "[unit]")
 {
-    CHECK(flipOf({0, 1, 0}, {0, 0, 1}) == test::Approx(1.0).epsilon(1e-4));
+    CHECK(flipOf({0, 1, 0}, {0, 0, 1}) == Approx(1.0).epsilon(1e-4));
     // HyAB is 100 against a maximum of 203.4, with the exponent: 25.12 of 41.28, so 0.95 + 8.61 / 24.77 * 0.05.
-    CHECK(flipOf({0, 0, 0}, {1, 1, 1}) == test::Approx(0.96739).margin(1e-4));
+    CHECK(flipOf({0, 0, 0}, {1, 1, 1}) == Approx(0.96739).margin(1e-4));
 }
 
 TEST_CASE("FLIP lies in [0; 1] and does not depend on the order of the pictures", "[unit]")
@@ -109,7 +109,7 @@ TEST_CASE("FLIP does not depend on orientation", "[unit]")
                 for (size_t x = 0; x < 48; x++) result.planes[c][x * 48 + y] = p.planes[c][y * 48 + x];
         return result;
     };
-    CHECK(sample::flip(a, b, {}) == test::Approx(sample::flip(transposed(a), transposed(b), {})).epsilon(1e-5));
+    CHECK(sample::flip(a, b, {}) == Approx(sample::flip(transposed(a), transposed(b), {})).epsilon(1e-5));
 }
 
 TEST_CASE("FLIP sees fine detail less from further away", "[unit]")

@@ -12,7 +12,7 @@ TEST_CASE("identical pictures have no error in any measure", "[unit]")
     const Picture t = toneMapped(a);
     CHECK(psnr(t, t, {}) == kMaxPsnr);
     CHECK(rmse(t, t, {}) == 0.0);
-    CHECK(ssim(t, t, {}) == test::Approx(1.0).epsilon(1e-6));
+    CHECK(ssim(t, t, {}) == Approx(1.0).epsilon(1e-6));
     CHECK(sample::flip(rangeCompressed(a), rangeCompressed(a), {}) == 0.0);
     CHECK(relMse(a, a, {}) == 0.0);
     CHECK(bias(a, a, {}) == 0.0);
@@ -25,9 +25,9 @@ TEST_CASE("PSNR and RMSE of a constant difference are that difference", "[unit]"
     const Picture a = constant(9, 5, {0.5f, 0.5f, 0.5f});
     const Picture b = constant(9, 5, {0.6f, 0.4f, 0.5f});
     const double expected = std::sqrt(2.0 / 3.0) * 0.1;
-    CHECK(rmse(a, b, {}) == test::Approx(expected).epsilon(1e-6));
-    CHECK(psnr(a, b, {}) == test::Approx(-20.0 * std::log10(expected)).epsilon(1e-6));
-    CHECK(psnr(constant(4, 4, {0.0f}), constant(4, 4, {1.0f}), {}) == test::Approx(0.0).margin(1e-9));
+    CHECK(rmse(a, b, {}) == Approx(expected).epsilon(1e-6));
+    CHECK(psnr(a, b, {}) == Approx(-20.0 * std::log10(expected)).epsilon(1e-6));
+    CHECK(psnr(constant(4, 4, {0.0f}), constant(4, 4, {1.0f}), {}) == Approx(0.0).margin(1e-9));
     CHECK(psnr(constant(4, 4, {0.5f}), constant(4, 4, {0.5f + 1e-7f}), {}) == kMaxPsnr); // capped
 }
 
@@ -37,8 +37,8 @@ TEST_CASE("SSIM of two constants is the luminance term alone", "[unit]")
     const Picture b = constant(20, 20, {0.6f, 0.6f, 0.6f});
     const double c1 = 0.0001;
     const double expected = (2 * 0.3 * 0.6 + c1) / (0.3 * 0.3 + 0.6 * 0.6 + c1);
-    CHECK(ssim(a, b, {}) == test::Approx(expected).epsilon(1e-4));
-    CHECK(ssim(a, b, {}) == test::Approx(ssim(b, a, {})));
+    CHECK(ssim(a, b, {}) == Approx(expected).epsilon(1e-4));
+    CHECK(ssim(a, b, {}) == Approx(ssim(b, a, {})));
 }
 
 TEST_CASE("SSIM sees inverted structure as negative and uncorrelated structure as near 0", "[unit]")
@@ -61,26 +61,25 @@ TEST_CASE("relMSE is relative, has its floor, and leaves out the largest thousan
 {
     // Reference 2, result 3: 1 / (4 + 0.01). Black reference: d^2 / 0.01.
     CHECK(relMse(constant(5, 5, {3.0f, 3.0f, 3.0f}), constant(5, 5, {2.0f, 2.0f, 2.0f}), {}) ==
-          test::Approx(1.0 / 4.01).epsilon(1e-6));
-    CHECK(relMse(constant(5, 5, {0.1f, 0, 0}), constant(5, 5, {0, 0, 0}), {}) == test::Approx(1.0 / 3.0).epsilon(1e-5));
+          Approx(1.0 / 4.01).epsilon(1e-6));
+    CHECK(relMse(constant(5, 5, {0.1f, 0, 0}), constant(5, 5, {0, 0, 0}), {}) == Approx(1.0 / 3.0).epsilon(1e-5));
 
     const Picture reference = constant(50, 40, {1.0f, 1.0f, 1.0f}); // 2000 pixels: 2 are left out
     Picture result = reference;
     for (size_t i = 0; i < 2; i++) result.planes[0][i * 777] = 1e6f;
     CHECK(relMse(result, reference, {}) == 0.0);
     result.planes[0][5] = 2.0f;
-    CHECK(relMse(result, reference, {}) == test::Approx(1.0 / 1.01 / 3.0 / 1998.0).epsilon(1e-6));
+    CHECK(relMse(result, reference, {}) == Approx(1.0 / 1.01 / 3.0 / 1998.0).epsilon(1e-6));
     // Below 1000 pixels nothing is left out.
     Picture small = constant(10, 10, {1.0f, 1.0f, 1.0f});
     small.planes[1][7] = 2.0f;
-    CHECK(relMse(small, constant(10, 10, {1.0f, 1.0f, 1.0f}), {}) == test::Approx(1.0 / 1.01 / 300.0).epsilon(1e-6));
+    CHECK(relMse(small, constant(10, 10, {1.0f, 1.0f, 1.0f}), {}) == Approx(1.0 / 1.01 / 300.0).epsilon(1e-6));
 }
 
 TEST_CASE("bias is the relative difference of the means", "[unit]")
 {
-    CHECK(bias(constant(4, 4, {2, 2, 2}), constant(4, 4, {1, 1, 1}), {}) == test::Approx(1.0));
-    CHECK(bias(constant(4, 4, {0.99f, 0.99f, 0.99f}), constant(4, 4, {1, 1, 1}), {}) ==
-          test::Approx(-0.01).epsilon(1e-4));
+    CHECK(bias(constant(4, 4, {2, 2, 2}), constant(4, 4, {1, 1, 1}), {}) == Approx(1.0));
+    CHECK(bias(constant(4, 4, {0.99f, 0.99f, 0.99f}), constant(4, 4, {1, 1, 1}), {}) == Approx(-0.01).epsilon(1e-4));
     CHECK(bias(constant(4, 4, {1, 1, 1}), constant(4, 4, {0, 0, 0}), {}) == 0.0);
 }
 
@@ -88,9 +87,9 @@ TEST_CASE("flicker is change that the reference does not have", "[unit]")
 {
     const Picture low = constant(6, 6, {0.2f});
     const Picture high = constant(6, 6, {0.5f});
-    CHECK(flicker({high, low, high, low}, {}) == test::Approx(0.0).margin(1e-9)); // the scene asked for it
-    CHECK(flicker({high, low, low, low}, {}) == test::Approx(0.3).epsilon(1e-5));
-    CHECK(flicker({low, low, high, low}, {}) == test::Approx(0.3).epsilon(1e-5)); // and lag counts too
+    CHECK(flicker({high, low, high, low}, {}) == Approx(0.0).margin(1e-9)); // the scene asked for it
+    CHECK(flicker({high, low, low, low}, {}) == Approx(0.3).epsilon(1e-5));
+    CHECK(flicker({low, low, high, low}, {}) == Approx(0.3).epsilon(1e-5)); // and lag counts too
     CHECK(flicker({low, low, low, low}, {}) == 0.0);
 }
 

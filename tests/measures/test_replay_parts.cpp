@@ -1,4 +1,4 @@
-#include "catch_compat.h"
+#include "catch.h"
 
 #include "replay_camera.h"
 #include "replay_report.h"
@@ -125,17 +125,17 @@ TEST_CASE("--set writes values of every type", "[unit]")
 TEST_CASE("a key or value that does not fit is named with what was expected", "[unit]")
 {
     CHECK(errorOf({{"maxBlurRadius", "12"}}).empty());
-    CHECK_THAT(errorOf({{"nothing", "1"}}), test::contains("--set nothing: the denoiser has no setting"));
-    CHECK_THAT(errorOf({{"maxBlurRadius", "12px"}}), test::contains("maxBlurRadius=12px: expected a finite number"));
-    CHECK_THAT(errorOf({{"maxBlurRadius", "nan"}}), test::contains("expected a finite number"));
-    CHECK_THAT(errorOf({{"maxBlurRadius", ""}}), test::contains("expected a finite number"));
-    CHECK_THAT(errorOf({{"maxAccumulatedFrameNum", "-1"}}), test::contains("a whole number of at least 0"));
-    CHECK_THAT(errorOf({{"maxAccumulatedFrameNum", "1.5"}}), test::contains("a whole number of at least 0"));
-    CHECK_THAT(errorOf({{"rectSize", "70000,1"}}), test::contains("from 0 to 65535"));
-    CHECK_THAT(errorOf({{"rectSize", "7"}}), test::contains("expected 2 value(s)"));
-    CHECK_THAT(errorOf({{"enableAntiFirefly", "yes"}}), test::contains("true or false"));
-    CHECK_THAT(errorOf({{"checkerboardMode", "RED"}}), test::contains("one of OFF BLACK WHITE"));
-    CHECK_THAT(errorOf({{"maxBlurRadius", "1"}}, Family::Reference), test::contains("no setting"));
+    CHECK_THAT(errorOf({{"nothing", "1"}}), containing("--set nothing: the denoiser has no setting"));
+    CHECK_THAT(errorOf({{"maxBlurRadius", "12px"}}), containing("maxBlurRadius=12px: expected a finite number"));
+    CHECK_THAT(errorOf({{"maxBlurRadius", "nan"}}), containing("expected a finite number"));
+    CHECK_THAT(errorOf({{"maxBlurRadius", ""}}), containing("expected a finite number"));
+    CHECK_THAT(errorOf({{"maxAccumulatedFrameNum", "-1"}}), containing("a whole number of at least 0"));
+    CHECK_THAT(errorOf({{"maxAccumulatedFrameNum", "1.5"}}), containing("a whole number of at least 0"));
+    CHECK_THAT(errorOf({{"rectSize", "70000,1"}}), containing("from 0 to 65535"));
+    CHECK_THAT(errorOf({{"rectSize", "7"}}), containing("expected 2 value(s)"));
+    CHECK_THAT(errorOf({{"enableAntiFirefly", "yes"}}), containing("true or false"));
+    CHECK_THAT(errorOf({{"checkerboardMode", "RED"}}), containing("one of OFF BLACK WHITE"));
+    CHECK_THAT(errorOf({{"maxBlurRadius", "1"}}, Family::Reference), containing("no setting"));
     CHECK_THROWS_AS(parseAssignment("novalue"), SettingError);
     CHECK_THROWS_AS(parseAssignment("=1"), SettingError);
     CHECK(parseAssignment("a=b=c") == Assignment{"a", "b=c"});
@@ -177,7 +177,7 @@ TEST_CASE("a frame's settings come from it and the frame before, and a cut has n
     CHECK(second.cameraJitterPrev[0] == 0.25f);
     // Previous minus current, from doubles: floats at 100,000 are 0.0078 apart.
     CHECK(cameraPositionOf(info.frames[0].worldToView) == std::array<double, 3>{100000.0, 2.0, 3.0});
-    CHECK(second.cameraDelta[0] == test::Approx(-0.001).epsilon(1e-3));
+    CHECK(second.cameraDelta[0] == Approx(-0.001).epsilon(1e-3));
     CHECK(second.cameraDelta[1] == 0.0);
 
     CaptureInfo cut = info;
@@ -221,10 +221,10 @@ TEST_CASE("a report has the stated shape and reads back", "[unit]")
     CHECK(read.denoiser == "REFERENCE");
     CHECK(*read.noisy[0].psnr == 20.0);
     CHECK(*read.denoised[static_cast<size_t>(Signal::NormHitDist)].rmse == 0.25);
-    CHECK_THAT(formatReport(report, {}), test::contains("20.00"));
+    CHECK_THAT(formatReport(report, {}), containing("20.00"));
     PeerFigures peer;
     peer.denoised[0].psnr = 33.125;
-    CHECK_THAT(formatSummary({report}, {peer}), test::contains("33.12"));
+    CHECK_THAT(formatSummary({report}, {peer}), containing("33.12"));
     std::ofstream(file) << "[1, 2]";
     CHECK_THROWS_AS(readReport(file), FileError);
     CHECK_THROWS_AS(readPeer(file, "some capture", "REFERENCE"), FileError);

@@ -76,10 +76,10 @@ float composedOf(std::initializer_list<Signal> produced)
 TEST_CASE("hit distances are normalised as the front end does", "[unit]")
 {
     const CaptureInfo info = makeInfo();
-    CHECK(hitDistanceNormalization(info, 10.0, 1.0) == test::Approx(4.0));
-    CHECK(hitDistanceNormalization(info, 10.0, 0.0) == test::Approx(80.0));
-    CHECK(hitDistanceNormalization(info, 10.0, 0.3) == test::Approx(38.37324).epsilon(1e-5));
-    CHECK(hitDistanceNormalization(info, -100.0, 0.1) == test::Approx(201.41881).epsilon(1e-5));
+    CHECK(hitDistanceNormalization(info, 10.0, 1.0) == Approx(4.0));
+    CHECK(hitDistanceNormalization(info, 10.0, 0.0) == Approx(80.0));
+    CHECK(hitDistanceNormalization(info, 10.0, 0.3) == Approx(38.37324).epsilon(1e-5));
+    CHECK(hitDistanceNormalization(info, -100.0, 0.1) == Approx(201.41881).epsilon(1e-5));
 }
 
 TEST_CASE("no sample is 0, a miss and the sky are 1, NaN is no sample", "[unit]")
@@ -88,7 +88,7 @@ TEST_CASE("no sample is 0, a miss and the sky are 1, NaN is no sample", "[unit]"
     frame[Channel::DiffuseHitDist] = {0.0f, kHitDistMiss, 2.0f, kNan};
     Signals signals = noisySignals(frame, makeInfo(), setOf({Signal::NormHitDist, Signal::SpecularNormHitDist}));
     CHECK(signals[Signal::NormHitDist].planes[0] == std::vector<float>{0.0f, 1.0f, 0.5f, 0.0f});
-    CHECK(signals[Signal::SpecularNormHitDist].planes[0][0] == test::Approx(0.05212).epsilon(1e-3));
+    CHECK(signals[Signal::SpecularNormHitDist].planes[0][0] == Approx(0.05212).epsilon(1e-3));
     frame[Channel::ViewZ][0] = 2000.0f;
     signals = noisySignals(frame, makeInfo(), setOf({Signal::NormHitDist}));
     CHECK(signals[Signal::NormHitDist].planes[0][0] == 1.0f);

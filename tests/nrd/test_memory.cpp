@@ -95,7 +95,7 @@ TEST_CASE("an allocation that fails at any call gives FAILURE, no instance and n
         CHECK(heap.blocks.empty());
         CHECK(heap.foreignFrees == 0);
         REQUIRE(messages.texts.size() == 1);
-        CHECK_THAT(messages.texts[0], ContainsSubstring("memory"));
+        CHECK_THAT(messages.texts[0], containing("memory"));
     }
 }
 

@@ -57,7 +57,7 @@ void checkName(const Program& program, const Binding& binding, const std::string
     const SignalRow* signal = findSignal(program, binding);
     if (signal && signal->lobe != kNoLobe)
     {
-        CHECK_THAT(name, ContainsSubstring(signal->lobe == kDiffuse ? "diff" : "spec"));
+        CHECK_THAT(name, containing(signal->lobe == kDiffuse ? "diff" : "spec"));
         return;
     }
     const bool isTexture = binding.isTexture();
@@ -81,7 +81,7 @@ size_t checkBindings(const Program& program, const Slots& slots, const ShaderMod
         }
         INFO("binding " << first + i << ", " << found->name);
         CHECK(found->kind == kind);
-        CHECK_THAT(found->name, ContainsSubstring(prefix));
+        CHECK_THAT(found->name, containing(prefix));
         checkName(program, slots[i].binding, found->name);
     }
     return unusedNum;

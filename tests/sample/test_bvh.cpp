@@ -1,6 +1,6 @@
 // The flattened hierarchy finds what trying every triangle finds.
 #include "bvh.h"
-#include "catch_compat.h"
+#include "catch.h"
 
 #include <random>
 #include <set>

@@ -1,11 +1,11 @@
 // What files mean, once they load.
-#include "catch_compat.h"
+#include "catch.h"
 #include "gltf.h"
 #include "gltf_builder.h"
 #include "scene_pose.h"
 
 using namespace sample;
-using test::Approx;
+using Approx;
 using test::GltfFile;
 
 namespace

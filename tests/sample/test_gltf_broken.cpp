@@ -1,5 +1,5 @@
 // Files that cannot be used: each ends in one sentence that names what is wrong.
-#include "catch_compat.h"
+#include "catch.h"
 #include "gltf.h"
 #include "gltf_builder.h"
 
@@ -146,8 +146,8 @@ TEST_CASE("every broken file ends in one sentence that names the problem", "[uni
                 file.writeText(path);
             INFO(broken.what << ", " << name);
             const std::string problem = problemOf(path);
-            CHECK_THAT(problem, test::contains(broken.expected));
-            CHECK_THAT(problem, test::contains(name));
+            CHECK_THAT(problem, containing(broken.expected));
+            CHECK_THAT(problem, containing(name));
             CHECK(problem.find('\n') == std::string::npos);
         }
     }
@@ -193,9 +193,9 @@ TEST_CASE("a byte changed anywhere never crashes the reader", "[unit]")
 TEST_CASE("missing files and folders are refused by name", "[unit]")
 {
     const test::TemporaryFolder folder;
-    CHECK_THAT(problemOf(folder / "absent.glb"), test::contains("absent.glb"));
-    CHECK_THAT(problemOf(folder / ""), test::contains("cannot be"));
+    CHECK_THAT(problemOf(folder / "absent.glb"), containing("absent.glb"));
+    CHECK_THAT(problemOf(folder / ""), containing("cannot be"));
     test::makeTriangle().writeText(folder / "scene.gltf");
     std::filesystem::remove(folder / "scene.bin");
-    CHECK_THAT(problemOf(folder / "scene.gltf"), test::contains("scene.bin"));
+    CHECK_THAT(problemOf(folder / "scene.gltf"), containing("scene.bin"));
 }

@@ -1,5 +1,5 @@
 // The command line, as far as it needs no device.
-#include "catch_compat.h"
+#include "catch.h"
 #include "options.h"
 
 using namespace sample;

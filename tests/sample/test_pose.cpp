@@ -1,13 +1,13 @@
 // Animation, skinning and what is remembered of the frame before.
 #include "camera.h"
-#include "catch_compat.h"
+#include "catch.h"
 #include "scene_cornell.h"
 #include "scene_pose.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 
 using namespace sample;
-using test::Approx;
+using Approx;
 
 namespace
 {

@@ -1,6 +1,6 @@
 // nrd-sample as a user runs it, validation on.
 #include "capture.h"
-#include "catch_compat.h"
+#include "catch.h"
 #include "gltf_builder.h"
 
 #include <algorithm>
@@ -44,7 +44,7 @@ void checkRefused(const Outcome& outcome, const std::string& part)
     CHECK(outcome.exitCode == 1);
     CHECK(outcome.errors.rfind("error: ", 0) == 0);
     CHECK(std::count(outcome.errors.begin(), outcome.errors.end(), '\n') == 1);
-    CHECK_THAT(outcome.errors, test::contains(part));
+    CHECK_THAT(outcome.errors, containing(part));
 }
 } // namespace
 
@@ -59,9 +59,9 @@ TEST_CASE("the default scene renders, denoises, compares and records", "[program
             " --reference-screenshot " + (folder / "ref.png").string());
     INFO(outcome.errors);
     REQUIRE(outcome.exitCode == 0);
-    CHECK_THAT(outcome.output, test::contains("built-in Cornell box"));
+    CHECK_THAT(outcome.output, containing("built-in Cornell box"));
     for (const char* name : {"psnr", "ssim", "flip", "relMSE", "flicker", "bias"})
-        CHECK_THAT(outcome.output, test::contains(name));
+        CHECK_THAT(outcome.output, containing(name));
     for (const char* name : {"demo/noisy.png", "demo/denoised.png", "demo/reference.png", "demo/side-by-side.png",
                              "last.exr", "noisy.png", "ref.png"})
     {
@@ -131,11 +131,11 @@ TEST_CASE("bad arguments and broken files end in one sentence and exit code 1", 
 
 TEST_CASE("help, version and the list of devices need no scene", "[program]")
 {
-    CHECK_THAT(run("--help").output, test::contains("--reference-spp"));
-    CHECK_THAT(run("--version").output, test::contains("nrd-sample 0."));
+    CHECK_THAT(run("--help").output, containing("--reference-spp"));
+    CHECK_THAT(run("--version").output, containing("nrd-sample 0."));
     const Outcome list = run("--list-devices");
     CHECK(list.exitCode == 0);
-    CHECK_THAT(list.output, test::contains("0: "));
+    CHECK_THAT(list.output, containing("0: "));
 }
 
 TEST_CASE("a scene without light and camera gets both, and the program says so", "[program]")
@@ -146,8 +146,8 @@ TEST_CASE("a scene without light and camera gets both, and the program says so",
         run("--headless --validation --size 32x32 --frames 2 " + (folder / "triangle.glb").string());
     INFO(outcome.errors);
     CHECK(outcome.exitCode == 0);
-    CHECK_THAT(outcome.output, test::contains("no light"));
-    CHECK_THAT(outcome.output, test::contains("no camera"));
+    CHECK_THAT(outcome.output, containing("no light"));
+    CHECK_THAT(outcome.output, containing("no camera"));
 }
 
 TEST_CASE("real scenes and a real environment render", "[program]")
@@ -185,5 +185,5 @@ TEST_CASE("the example of native handles denoises", "[program]")
     CHECK(outcome.exitCode == 0);
     CHECK(outcome.output.find("Validation Error") == std::string::npos);
     CHECK(outcome.output.find("SYNC-HAZARD") == std::string::npos);
-    CHECK_THAT(outcome.output, test::contains("denoised"));
+    CHECK_THAT(outcome.output, containing("denoised"));
 }

@@ -1,13 +1,13 @@
 // Alias tables, environments and the energy table against what they stand for.
 #include "alias_table.h"
-#include "catch_compat.h"
+#include "catch.h"
 #include "environment.h"
 #include "scene_pack.h"
 
 #include <numeric>
 
 using namespace sample;
-using test::Approx;
+using Approx;
 
 TEST_CASE("an alias table gives back the probabilities it was made of", "[unit]")
 {

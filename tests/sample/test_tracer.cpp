@@ -1,13 +1,13 @@
 // The tracer against what is known in closed form. Expectations are by many samples, so the tolerances are a few
 // standard errors, far below what a wrong factor (2, pi, a cosine) would change.
-#include "catch_compat.h"
+#include "catch.h"
 #include "scene_cornell.h"
 #include "tracer_fixture.h"
 
 #include <cmath>
 
 using namespace sample;
-using test::Approx;
+using Approx;
 using test::Traced;
 using test::TraceRequest;
 

@@ -1,5 +1,5 @@
 // What a frame hands to a denoiser: guides, motion, hit distances, and noise that averages to the reference.
-#include "catch_compat.h"
+#include "catch.h"
 #include "engine/commands.h"
 #include "engine/transfer.h"
 #include "scene_cornell.h"
@@ -8,7 +8,7 @@
 #include <cmath>
 
 using namespace sample;
-using test::Approx;
+using Approx;
 using test::Traced;
 using test::TraceRequest;
 

@@ -1,6 +1,6 @@
 #include "tracer_fixture.h"
 
-#include "catch_compat.h"
+#include "catch.h"
 #include "engine/commands.h"
 #include "engine/transfer.h"
 

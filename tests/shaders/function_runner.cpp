@@ -102,7 +102,8 @@ std::vector<Results> runFunction(int function, const std::vector<Arguments>& arg
     commands->bindPipeline(*pipeline);
     commands->bindSet(0, set, {});
     commands->dispatch(static_cast<uint32_t>((count + 63) / 64), 1, 1);
-    commands->barrier(rhi::BufferBarrier{out.get(), rhi::BufferState{rhi::Access::StorageWrite, rhi::Stage::Compute}, rhi::BufferState{rhi::Access::HostRead, rhi::Stage::Host}});
+    commands->barrier(rhi::BufferBarrier{out.get(), rhi::BufferState{rhi::Access::StorageWrite, rhi::Stage::Compute},
+                                         rhi::BufferState{rhi::Access::HostRead, rhi::Stage::Host}});
     commands->end();
     submitAndWait(*commands);
     std::vector<Results> results(count);

@@ -1,3 +1,4 @@
+// Catch2 3 brings its main in a library, Catch2 2 in its header.
 #if __has_include(<catch2/catch_all.hpp>)
 #include <catch2/catch_session.hpp>
 int main(int argc, char** argv) { return Catch::Session().run(argc, argv); }
