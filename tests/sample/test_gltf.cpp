@@ -5,7 +5,6 @@
 #include "scene_pose.h"
 
 using namespace sample;
-using Approx;
 using test::GltfFile;
 
 namespace

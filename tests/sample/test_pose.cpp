@@ -7,7 +7,6 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 using namespace sample;
-using Approx;
 
 namespace
 {

@@ -7,7 +7,6 @@
 #include <numeric>
 
 using namespace sample;
-using Approx;
 
 TEST_CASE("an alias table gives back the probabilities it was made of", "[unit]")
 {

@@ -8,7 +8,6 @@
 #include <cmath>
 
 using namespace sample;
-using Approx;
 using test::Traced;
 using test::TraceRequest;
 
