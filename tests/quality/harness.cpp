@@ -1,55 +1,16 @@
 #include "harness.h"
 #include "catch.h"
-#include <cstdlib>
+#include "validated_device.h"
 #include <cstring>
 #include <glm/gtc/packing.hpp>
 #include <glm/gtc/type_ptr.hpp>
-#include <mutex>
-#include <rhi/rhi.h>
 #include <rhi/vulkan.h>
-#include <string>
 
 namespace quality
 {
 namespace
 {
-struct Messages
-{
-    std::mutex mutex;
-    std::vector<std::string> texts;
-};
-
-Messages& messages()
-{
-    static Messages instance;
-    return instance;
-}
-
-rhi::Device& device()
-{
-    static const std::unique_ptr<rhi::Device> instance = []
-    {
-        rhi::VulkanDeviceDesc desc;
-        if (const char* name = std::getenv("NRD_TEST_DEVICE")) desc.adapter = name;
-        desc.isValidationEnabled = std::getenv("NRD_TEST_NO_VALIDATION") == nullptr;
-        desc.isSyncValidationEnabled = desc.isValidationEnabled;
-        desc.messageCallback = [](rhi::MessageSeverity severity, const std::string& text)
-        {
-            if (severity == rhi::MessageSeverity::Info) return;
-            std::lock_guard lock(messages().mutex);
-            messages().texts.push_back(text);
-        };
-        return rhi::makeVulkanDevice(desc);
-    }();
-    return *instance;
-}
-
-void reportMessages()
-{
-    std::lock_guard lock(messages().mutex);
-    for (const std::string& text : messages().texts) FAIL_CHECK(text);
-    messages().texts.clear();
-}
+rhi::Device& device() { return test::validatedDevice(); }
 
 void require(nrd::Result result, const nrd::NrdIntegration& integration)
 {
@@ -263,7 +224,7 @@ Harness::Harness(int width, int height, const nrd::ReblurSettings& settings)
     poisonOutputs(0.0f);
 }
 
-Harness::~Harness() { reportMessages(); }
+Harness::~Harness() { test::failOnMessages(); }
 
 void Harness::denoise(const Frame& frame, const std::function<void(nrd::CommonSettings&)>& change)
 {
@@ -273,13 +234,10 @@ void Harness::denoise(const Frame& frame, const std::function<void(nrd::CommonSe
     commands->begin();
     m_impl->record(*commands);
     commands->end();
-    const auto fence = device().createFence("denoise");
-    rhi::CommandBuffer* const list[] = {commands.get()};
-    device().submit(list, fence.get());
-    fence->wait();
+    test::submitAndWait(*commands);
     m_impl->diffuse = m_impl->read(m_impl->outDiffuse);
     m_impl->specular = m_impl->read(m_impl->outSpecular);
-    reportMessages();
+    test::failOnMessages();
 }
 
 const Signal& Harness::diffuse() const { return m_impl->diffuse; }
