@@ -73,9 +73,9 @@ void Instance::emitPass(const CompiledDenoiser& denoiser, size_t index, const Co
     dispatch.name = denoiser.passNames[index].c_str();
     dispatch.identifier = denoiser.identifier;
     dispatch.pipelineIndex = denoiser.pipelines[index];
-    for (uint32_t i = 0; i < pass.row->switches.size(); i++)
+    for (uint32_t i = 0; i < pass.switches.size(); i++)
     {
-        const uint32_t bit = pass.row->switches[i].isOn(conditions) ? 1u << i : 0u;
+        const uint32_t bit = pass.switches[i].isOn(conditions) ? 1u << i : 0u;
         dispatch.pipelineIndex = static_cast<uint16_t>(dispatch.pipelineIndex + bit);
     }
     dispatch.resources = m_resources.data() + firstResource;

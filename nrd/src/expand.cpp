@@ -131,6 +131,8 @@ Program expand(const VariantOfFamily& which, NormalEncoding encoding)
         pass.shader = row.shaders.of(which.variant);
         addSlots(program, row.reads, pass.reads);
         addSlots(program, row.writes, pass.writes);
+        for (const SwitchRow& toggle : row.switches)
+            if (hasLobe(program.variant->lobes, toggle.lobes)) pass.switches.push(toggle);
         program.passes.push(pass);
     }
     return program;

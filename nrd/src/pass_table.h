@@ -166,6 +166,7 @@ struct SwitchRow
 {
     uint32_t constantId = 0; // SPEC_..., a bool in the shader
     Predicate isOn = nullptr;
+    Lobes lobes = kNoLobe; // lobes of which the variant must have one, kNoLobe = any variant
 };
 
 struct GroupSize

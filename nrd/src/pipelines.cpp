@@ -33,7 +33,7 @@ uint16_t PipelineTable::add(const Pass& pass)
     block.shader = pass.shader;
     block.textureNum = static_cast<uint32_t>(pass.reads.size());
     block.storageTextureNum = static_cast<uint32_t>(pass.writes.size());
-    block.switches = pass.row->switches;
+    block.switches = pass.switches;
     return add(block);
 }
 

@@ -93,7 +93,7 @@ void main()
     Surface s = makeSurface(pixel);
     if (!isInRange(s.viewZ)) return;
     SurfaceTrack surface = trackSurface(s, texelFetch(gIn_Motion, guideTexel(pixel), 0).xyz);
-    LobeResult diffuse, specular;
+    LobeResult diffuse = LobeResult(0.0, 0.0, 0.0, 0.0), specular = diffuse;
 #if HAS_DIFFUSE
     diffuse = accumulateDiffuse(s, surface);
 #endif

@@ -7,20 +7,21 @@
 layout(local_size_x = 8, local_size_y = 16) in;
 layout(set = SET_RESOURCES, binding = 0) uniform texture2D gIn_Tiles;
 layout(set = SET_RESOURCES, binding = 1) uniform texture2D gIn_ViewZ;
-layout(set = SET_RESOURCES, binding = 2) uniform texture2D gIn_NormalRoughness;
-layout(set = SET_RESOURCES, binding = 3) uniform texture2D gIn_Length;
-layout(set = SET_RESOURCES, binding = 4) uniform texture2D gIn_StabHistory;
-layout(set = SET_RESOURCES, binding = 5) uniform texture2D gIn_StabWeight;
+layout(set = SET_RESOURCES, binding = 2) uniform texture2D gIn_Length;
+layout(set = SET_RESOURCES, binding = 3) uniform texture2D gIn_StabHistory;
+layout(set = SET_RESOURCES, binding = 4) uniform texture2D gIn_StabWeight;
+#define FIRST_OUT (5 + LOBE_NUM + HAS_SPECULAR)
 #if HAS_DIFFUSE
-layout(set = SET_RESOURCES, binding = 6) uniform texture2D gIn_Diffuse;
-layout(set = SET_RESOURCES, binding = 6 + LOBE_NUM) uniform writeonly image2D gOut_Diffuse;
+layout(set = SET_RESOURCES, binding = 5) uniform texture2D gIn_Diffuse;
+layout(set = SET_RESOURCES, binding = FIRST_OUT) uniform writeonly image2D gOut_Diffuse;
 #endif
 #if HAS_SPECULAR
-layout(set = SET_RESOURCES, binding = 5 + LOBE_NUM) uniform texture2D gIn_Specular;
-layout(set = SET_RESOURCES, binding = 5 + 2 * LOBE_NUM) uniform writeonly image2D gOut_Specular;
+layout(set = SET_RESOURCES, binding = 4 + LOBE_NUM) uniform texture2D gIn_Specular;
+layout(set = SET_RESOURCES, binding = 5 + LOBE_NUM) uniform texture2D gIn_NormalRoughness;
+layout(set = SET_RESOURCES, binding = FIRST_OUT + LOBE_NUM - 1) uniform writeonly image2D gOut_Specular;
 #endif
-layout(set = SET_RESOURCES, binding = 6 + 2 * LOBE_NUM) uniform writeonly image2D gOut_Stab;
-layout(set = SET_RESOURCES, binding = 7 + 2 * LOBE_NUM) uniform writeonly uimage2D gOut_PrevLength;
+layout(set = SET_RESOURCES, binding = FIRST_OUT + LOBE_NUM) uniform writeonly image2D gOut_Stab;
+layout(set = SET_RESOURCES, binding = FIRST_OUT + LOBE_NUM + 1) uniform writeonly uimage2D gOut_PrevLength;
 
 const ivec2 kHalo = ivec2(10, 18);
 const float kInvalid = -1.0; // lumas are not negative

@@ -119,7 +119,7 @@ void checkPass(const Program& program, const Pass& pass)
     CHECK(unwrittenNum == 0);
     if (unreadNum > 0) WARN(blob.name << " does not read one of the textures of its table row");
     checkLayout(pass, module);
-    for (const SwitchRow& row : pass.row->switches)
+    for (const SwitchRow& row : pass.switches)
     {
         INFO("specialisation constant " << row.constantId);
         const auto& ids = module.specializationIds;

@@ -79,7 +79,7 @@ bool hasMaterialTest(const Conditions& c)
            c.common.historyFixAlternatePixelStrideMaterialID < kMaterialNum;
 }
 
-constexpr SwitchRow kPrePassSwitch = {SPEC_HAS_PREPASS, hasPrePass};
+constexpr SwitchRow kPrePassSwitch = {SPEC_HAS_PREPASS, hasPrePass, kSpecular};
 constexpr SwitchRow kStabilization = {SPEC_HAS_STABILIZATION, hasStabilization};
 constexpr SwitchRow kMaterialTest = {SPEC_HAS_MATERIAL_TEST, hasMaterialTest};
 constexpr SwitchRow kConfidence = {SPEC_HAS_CONFIDENCE, hasConfidence};
@@ -103,18 +103,35 @@ constexpr GroupSize kTile = {TILE_SIZE, TILE_SIZE}; // whatever the number of in
 constexpr GroupSize kGroup16x16 = {16, 16};
 constexpr GroupSize kGroup8x16 = {8, 16};
 
+// In the order of kVariants.
+constexpr ShaderSet kPrePass = {Shader::ReblurPrePassDiffuse, Shader::ReblurPrePassSpecular,
+                                Shader::ReblurPrePassDiffuseSpecular};
+constexpr ShaderSet kTemporalAccumulation = {Shader::ReblurTemporalAccumulationDiffuse,
+                                             Shader::ReblurTemporalAccumulationSpecular,
+                                             Shader::ReblurTemporalAccumulationDiffuseSpecular};
+constexpr ShaderSet kHistoryFix = {Shader::ReblurHistoryFixDiffuse, Shader::ReblurHistoryFixSpecular,
+                                   Shader::ReblurHistoryFixDiffuseSpecular};
+constexpr ShaderSet kBlur = {Shader::ReblurBlurDiffuse, Shader::ReblurBlurSpecular, Shader::ReblurBlurDiffuseSpecular};
+constexpr ShaderSet kPostBlur = {Shader::ReblurPostBlurDiffuse, Shader::ReblurPostBlurSpecular,
+                                 Shader::ReblurPostBlurDiffuseSpecular};
+constexpr ShaderSet kTemporalStabilization = {Shader::ReblurTemporalStabilizationDiffuse,
+                                              Shader::ReblurTemporalStabilizationSpecular,
+                                              Shader::ReblurTemporalStabilizationDiffuseSpecular};
+constexpr ShaderSet kSplitScreen = {Shader::ReblurSplitScreenDiffuse, Shader::ReblurSplitScreenSpecular,
+                                    Shader::ReblurSplitScreenDiffuseSpecular};
+
 // name, shader per variant, reads, writes, group, runs if, switches. Outputs are written once, by the last pass.
 constexpr PassRow kPasses[] = {
     {"Classify tiles", Shader::ReblurClassifyTiles, {ViewZ}, {Tiles}, kTile, isDenoised},
     {"Pre-pass",
-     Shader::ReblurPrePassDiffuseSpecular,
+     kPrePass,
      {Tiles, ViewZ, NormalRoughness, kEachInput},
      {each(Scratch), only(kSpecular, TrackNew)},
      kGroup16x16,
      runsPrePass,
      {kMaterialTest}},
     {"Temporal accumulation",
-     Shader::ReblurTemporalAccumulationDiffuseSpecular,
+     kTemporalAccumulation,
      {Tiles, ViewZ, NormalRoughness, Motion, PrevViewZ, PrevNormalRoughness, PrevLength, kThresholdMix,
       kDiffuseConfidence, kSpecularConfidence, kEachAccumulated, each(History), Fast, kStab, kTrackNew,
       only(kSpecular, prev(Track))},
@@ -123,38 +140,33 @@ constexpr PassRow kPasses[] = {
      isDenoised,
      {kPrePassSwitch, kStabilization, kMaterialTest, kConfidence, kDisocclusionMix}},
     {"History fix",
-     Shader::ReblurHistoryFixDiffuseSpecular,
+     kHistoryFix,
      {Tiles, ViewZ, NormalRoughness, Length, each(Scratch), FastTemp, only(kSpecular, Track)},
      {each(History), Fast},
      kGroup8x16,
      isDenoised,
      {kAntiFirefly, kMaterialTest}},
     {"Blur",
-     Shader::ReblurBlurDiffuseSpecular,
+     kBlur,
      {Tiles, ViewZ, NormalRoughness, Length, each(History)},
      {each(Scratch), PrevViewZ},
      kGroup8x16,
      isDenoised,
      {kMaterialTest}},
     {"Post-blur",
-     Shader::ReblurPostBlurDiffuseSpecular,
+     kPostBlur,
      {Tiles, ViewZ, NormalRoughness, Length, each(Scratch)},
      {each(History), PrevNormalRoughness, PrevLength, kEachOutput},
      kGroup8x16,
      isDenoised,
      {kMaterialTest, kStabilization}},
     {"Temporal stabilization",
-     Shader::ReblurTemporalStabilizationDiffuseSpecular,
-     {Tiles, ViewZ, NormalRoughness, Length, StabHistory, StabWeight, each(History)},
+     kTemporalStabilization,
+     {Tiles, ViewZ, Length, StabHistory, StabWeight, each(History), only(kSpecular, NormalRoughness)},
      {kEachOutput, Stab, PrevLength},
      kGroup8x16,
      runsStabilization},
-    {"Split screen",
-     Shader::ReblurSplitScreenDiffuseSpecular,
-     {ViewZ, kEachInput},
-     {kEachOutput},
-     kGroup16x16,
-     isSplit},
+    {"Split screen", kSplitScreen, {ViewZ, kEachInput}, {kEachOutput}, kGroup16x16, isSplit},
 };
 
 constexpr SignalRow kDiffuseRadiance = {ResourceType::IN_DIFF_RADIANCE_HITDIST, ResourceType::OUT_DIFF_RADIANCE_HITDIST,
@@ -164,6 +176,8 @@ constexpr SignalRow kSpecularRadiance = {ResourceType::IN_SPEC_RADIANCE_HITDIST,
 
 // The only place that knows which denoiser has which lobes and signals.
 constexpr Variant kVariants[] = {
+    {Denoiser::REBLUR_DIFFUSE, kDiffuse, {kDiffuseRadiance}},
+    {Denoiser::REBLUR_SPECULAR, kSpecular, {kSpecularRadiance}},
     {Denoiser::REBLUR_DIFFUSE_SPECULAR, kBoth, {kDiffuseRadiance, kSpecularRadiance}},
 };
 static_assert(shadersMatchVariants(kPasses, std::size(kVariants)));
