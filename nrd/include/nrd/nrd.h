@@ -24,8 +24,9 @@ NRD_API Result SetCommonSettings(Instance& instance, const CommonSettings& setti
 NRD_API Result SetDenoiserSettings(Instance& instance, Identifier identifier, const ReblurSettings& settings);
 NRD_API Result SetDenoiserSettings(Instance& instance, Identifier identifier, const ReferenceSettings& settings);
 
-// The dispatches of the named denoisers, in the order of the list. Each identifier at most once per SetCommonSettings(),
-// in one call or several. Allocates nothing. INVALID_ARGUMENT: unknown or repeated identifier, no common settings yet.
+// The dispatches of the named denoisers, in the order of the list. Each identifier at most once per
+// SetCommonSettings(), in one call or several. Allocates nothing. INVALID_ARGUMENT: unknown or repeated identifier, no
+// common settings yet.
 NRD_API Result GetComputeDispatches(Instance& instance, const Identifier* identifiers, uint32_t identifiersNum,
                                     const DispatchDesc*& dispatches, uint32_t& dispatchesNum);
 

@@ -35,12 +35,12 @@ struct CommonSettings
     double cameraDelta[3] = {};
     bool isCameraDeltaAvailable = false;
 
-    float viewZScale = 1.0f;            // > 0, viewZ = abs(IN_VIEWZ * viewZScale)
+    float viewZScale = 1.0f;             // > 0, viewZ = abs(IN_VIEWZ * viewZScale)
     float timeDeltaBetweenFrames = 0.0f; // >= 0 ms, 0 = measured inside
-    float denoisingRange = 500000.0f;   // > 0 units; beyond it outputs are not written
+    float denoisingRange = 500000.0f;    // > 0 units; beyond it outputs are not written
 
-    float disocclusionThreshold = 0.01f;          // (0; 1], fraction of the frustum's size at that depth
-    float disocclusionThresholdAlternate = 0.05f; // (0; 1], reached where IN_DISOCCLUSION_THRESHOLD_MIX is 1
+    float disocclusionThreshold = 0.01f;               // (0; 1], fraction of the frustum's size at that depth
+    float disocclusionThresholdAlternate = 0.05f;      // (0; 1], reached where IN_DISOCCLUSION_THRESHOLD_MIX is 1
     uint32_t cameraAttachedReflectionMaterialID = 999; // reflections that move with the camera, 999 = none
     uint32_t strandMaterialID = 999;                   // hair and grass, 999 = none
     uint32_t historyFixAlternatePixelStrideMaterialID = 999;
@@ -51,9 +51,9 @@ struct CommonSettings
     uint32_t frameIndex = 0; // + 1 per frame
     AccumulationMode accumulationMode = AccumulationMode::CONTINUE;
 
-    bool isHistoryConfidenceAvailable = false;         // IN_DIFF_CONFIDENCE and IN_SPEC_CONFIDENCE are bound
-    bool isDisocclusionThresholdMixAvailable = false;  // IN_DISOCCLUSION_THRESHOLD_MIX is bound
-    bool enableValidation = false;                     // OUT_VALIDATION is bound
+    bool isHistoryConfidenceAvailable = false;        // IN_DIFF_CONFIDENCE and IN_SPEC_CONFIDENCE are bound
+    bool isDisocclusionThresholdMixAvailable = false; // IN_DISOCCLUSION_THRESHOLD_MIX is bound
+    bool enableValidation = false;                    // OUT_VALIDATION is bound
 };
 
 // Hit distance is divided by (A + viewZ * B) * mix(C, 1, spread(roughness)), see REBLUR_FrontEnd_GetNormHitDist.
@@ -91,27 +91,27 @@ struct ReblurSettings
     ResponsiveAccumulationSettings responsiveAccumulationSettings = {};
     ConvergenceSettings convergenceSettings = {};
 
-    uint32_t maxAccumulatedFrameNum = 30;    // [0; 63] frames, about half a second
-    uint32_t maxFastAccumulatedFrameNum = 6; // [0; 63] frames, >= maxAccumulatedFrameNum = no fast-history clamp
-    uint32_t maxStabilizedFrameNum = 63;     // [0; 255] frames, 0 = no temporal stabilisation and no antilag
-    uint32_t historyFixFrameNum = 3;         // [0; 8] frames, below maxFastAccumulatedFrameNum
-    uint32_t historyFixBasePixelStride = 14; // [1; 64] pixels
+    uint32_t maxAccumulatedFrameNum = 30;         // [0; 63] frames, about half a second
+    uint32_t maxFastAccumulatedFrameNum = 6;      // [0; 63] frames, >= maxAccumulatedFrameNum = no fast-history clamp
+    uint32_t maxStabilizedFrameNum = 63;          // [0; 255] frames, 0 = no temporal stabilisation and no antilag
+    uint32_t historyFixFrameNum = 3;              // [0; 8] frames, below maxFastAccumulatedFrameNum
+    uint32_t historyFixBasePixelStride = 14;      // [1; 64] pixels
     uint32_t historyFixAlternatePixelStride = 14; // [1; 64] pixels
 
     float fastHistoryClampingSigmaScale = 2.0f; // [1; 3] standard deviations
     // Radii are pixels at a rectangle of 1440 lines and scale with the square root of its height: fewer pixels average
     // less noise away, but each spans more of the scene.
-    float diffusePrepassBlurRadius = 18.0f;     // [0; 256] pixels, 0 = off
-    float specularPrepassBlurRadius = 36.0f;    // [0; 256] pixels, 0 = off
-    float minHitDistanceWeight = 0.1f;          // [0; 0.2]
-    float minBlurRadius = 1.0f;                 // [0; 256] pixels, whatever the height
-    float maxBlurRadius = 30.0f;                // [0; 256] pixels
-    float lobeAngleFraction = 0.15f;            // [0; 1]
-    float roughnessFraction = 0.15f;            // [0; 1]
-    float planeDistanceSensitivity = 0.02f;     // (0; 1], fraction of the frustum's size at that depth
+    float diffusePrepassBlurRadius = 18.0f;         // [0; 256] pixels, 0 = off
+    float specularPrepassBlurRadius = 36.0f;        // [0; 256] pixels, 0 = off
+    float minHitDistanceWeight = 0.1f;              // [0; 0.2]
+    float minBlurRadius = 1.0f;                     // [0; 256] pixels, whatever the height
+    float maxBlurRadius = 30.0f;                    // [0; 256] pixels
+    float lobeAngleFraction = 0.15f;                // [0; 1]
+    float roughnessFraction = 0.15f;                // [0; 1]
+    float planeDistanceSensitivity = 0.02f;         // (0; 1], fraction of the frustum's size at that depth
     float fireflySuppressorMinRelativeScale = 2.0f; // [1; 3]
-    uint32_t minMaterialForDiffuse = 4;  // >= 0, material IDs from here on do not mix, 4 = test off
-    uint32_t minMaterialForSpecular = 4; // >= 0
+    uint32_t minMaterialForDiffuse = 4;             // >= 0, material IDs from here on do not mix, 4 = test off
+    uint32_t minMaterialForSpecular = 4;            // >= 0
 
     CheckerboardMode checkerboardMode = CheckerboardMode::OFF; // orientation of diffuse; specular is the opposite
     HitDistanceReconstructionMode hitDistanceReconstructionMode = HitDistanceReconstructionMode::OFF;

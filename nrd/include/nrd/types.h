@@ -19,15 +19,13 @@ namespace nrd
 // Chosen by the application; names one denoiser of an instance.
 using Identifier = uint32_t;
 
-enum class [[nodiscard]] Result : uint32_t
-{
+enum class [[nodiscard]] Result : uint32_t{
     SUCCESS,
     FAILURE,               // memory, or an error of the device underneath
     INVALID_ARGUMENT,      // the message names the field, its value and what was expected
     UNSUPPORTED,           // a denoiser, encoding or version this build does not offer
     NON_UNIQUE_IDENTIFIER, // two denoisers of one instance share an identifier
-    MAX_NUM
-};
+    MAX_NUM};
 
 // Order is part of the interface; it only grows.
 enum class Denoiser : uint32_t
