@@ -108,14 +108,8 @@ void DenoiseStage::check(nrd::Result result, const char* action) const
 
 void DenoiseStage::createImages()
 {
-    const auto create = [&](const char* name, VkFormat format)
-    {
-        engine::ImageDesc desc;
-        desc.name = name;
-        desc.width = m_desc.width;
-        desc.height = m_desc.height;
-        desc.format = format;
-        return engine::Image(m_device, desc);
+    const auto create = [&](const char* name, VkFormat format) {
+        return engine::Image(m_device, {name, m_desc.width, m_desc.height, format});
     };
     m_normalRoughness = create("normal and roughness", VK_FORMAT_A2B10G10R10_UNORM_PACK32);
     m_noisyDiffuse = create("noisy diffuse", VK_FORMAT_R16G16B16A16_SFLOAT);

@@ -67,14 +67,8 @@ PathTracer::PathTracer(const engine::Device& device, const Scene& scene, const E
 
 void PathTracer::createImages()
 {
-    const auto create = [&](const char* name, VkFormat format)
-    {
-        engine::ImageDesc desc;
-        desc.name = name;
-        desc.width = m_desc.width;
-        desc.height = m_desc.height;
-        desc.format = format;
-        return engine::Image(m_device, desc);
+    const auto create = [&](const char* name, VkFormat format) {
+        return engine::Image(m_device, {name, m_desc.width, m_desc.height, format});
     };
     m_images.viewZ = create("traced viewZ", VK_FORMAT_R32_SFLOAT);
     const std::pair<engine::Image*, const char*> vectors[] = {

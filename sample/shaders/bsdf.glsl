@@ -2,6 +2,7 @@
 // Lambertian one that gets the rest of the energy. Their albedos sum to 1 for a white surface.
 #ifndef BSDF_GLSL
 #define BSDF_GLSL
+#include "nrd_frontend.glsl"
 #include "sampling.glsl"
 #include "surface.glsl"
 
@@ -101,26 +102,10 @@ float lobeShare(Bsdf b, uint lobes)
     return lobes == kDiffuseLobe ? 0.0 : lobes == kSpecularLobe ? 1.0 : b.specularShare;
 }
 
-// Ray Tracing Gems chapter 32, equation 4; what demodulation divides by is an approximation that only has to be close.
-vec3 approximateAlbedo(vec3 f0, float nov, float roughness)
-{
-    float m = roughness * roughness, v = nov;
-    vec3 ms = vec3(1.0, m, m * m * m);
-    float numeratorA = dot(ms.xy, vec2(0.99044 - 1.28514 * v, 1.29678 - 0.755907 * v));
-    vec3 vs = vec3(1.0, v, v * v * v);
-    float denominatorA = dot(ms, vec3(dot(vec3(1.0, 2.92338, 59.4188), vs), dot(vec3(20.3225, -27.0302, 222.592), vs),
-                                      dot(vec3(121.563, 626.13, 316.627), vs)));
-    float numeratorB = dot(ms.xy, vec2(0.0365463 + 3.32707 * v, 9.0632 - 9.04756 * v));
-    vs.y = v * v;
-    float denominatorB = dot(ms, vec3(dot(vec3(1.0, 3.59685, -1.36772), vs), dot(vec3(9.04401, -16.3174, 9.22949), vs),
-                                      dot(vec3(5.56589, 19.7886, -20.2123), vs)));
-    return clamp(f0 * (numeratorB / max(denominatorB, 1e-6)) + numeratorA / max(denominatorA, 1e-6), 0.0, 1.0);
-}
-
 // The 0.02 bounds the division for black surfaces.
 void demodulationFactors(Surface s, out vec3 diffuseFactor, out vec3 specularFactor)
 {
-    vec3 specular = approximateAlbedo(s.f0, clamp(dot(s.normal, s.view), 0.0, 1.0), s.roughness);
+    vec3 specular = NRD_EnvironmentTerm(s.f0, clamp(dot(s.normal, s.view), 0.0, 1.0), s.roughness);
     diffuseFactor = 0.02 + 0.98 * (1.0 - specular) * s.albedo;
     specularFactor = 0.02 + 0.98 * specular * (0.1 + 0.9 * s.roughness);
 }

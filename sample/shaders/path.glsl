@@ -39,7 +39,7 @@ float brightest(vec3 c)
 // A non-finite path is dropped, a very bright one dimmed: the only bias, documented with the --help of the program.
 vec3 bounded(vec3 radiance)
 {
-    if (!isFinite(radiance)) return vec3(0.0);
+    if (!NRD_IsRadianceFinite(radiance)) return vec3(0.0);
     return max(radiance, vec3(0.0)) * min(1.0, g.hitDistanceParameters.w / max(brightest(radiance), 1e-20));
 }
 

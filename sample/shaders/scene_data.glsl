@@ -26,16 +26,6 @@ const float kPi = 3.14159265359;
 const float kMiss = 65504.0; // hit distance of a ray that left the scene
 const int kNoHit = -1;
 
-bool isFinite(float x)
-{
-    return (floatBitsToUint(x) & 0x7F800000u) != 0x7F800000u;
-}
-
-bool isFinite(vec3 v)
-{
-    return isFinite(v.x) && isFinite(v.y) && isFinite(v.z);
-}
-
 float luminance(vec3 c)
 {
     return dot(c, vec3(0.2126, 0.7152, 0.0722));

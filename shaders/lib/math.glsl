@@ -31,10 +31,6 @@ float acosApprox(float x) { return sqrt(2.0 * saturate(1.0 - x)); }
 
 float square(float x) { return x * x; }
 
-bool isFinite(float x) { return (floatBitsToUint(x) & 0x7F800000u) != 0x7F800000u; }
-
-bool isFinite(vec4 v) { return isFinite(v.x) && isFinite(v.y) && isFinite(v.z) && isFinite(v.w); }
-
 // To the nearest half float. Some devices truncate on store; in a recurrent filter that is a steady loss of energy.
 float roundToHalf(float x)
 {

@@ -116,7 +116,7 @@ vec4 clampNegatives(vec4 signal)
 // Noisy input may be anything; what is not finite counts as "no sample".
 vec4 sanitize(vec4 signal, out bool isValid)
 {
-    isValid = isFinite(signal);
+    isValid = NRD_IsRadianceFinite(signal.xyz) && NRD_IsFinite(signal.w);
     return isValid ? clamp(signal, vec4(0.0, -NRD_FP16_MAX, -NRD_FP16_MAX, 0.0), vec4(vec3(NRD_FP16_MAX), 1.0))
                    : vec4(0.0);
 }
