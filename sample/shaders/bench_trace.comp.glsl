@@ -33,20 +33,21 @@ vec3 sampleCosine(vec2 u, vec3 n)
     return normalize(t * (r * cos(phi)) + b * (r * sin(phi)) + n * sqrt(1.0 - u.x));
 }
 
-// Heitz 2018, "Sampling the GGX Distribution of Visible Normals".
+// Bounded sampling of visible normals for spherical caps (Eto and Tokuyoshi 2023); returns the reflected direction,
+// which seldom lies below the surface.
 vec3 sampleGgx(vec2 u, vec3 n, vec3 view, float roughness)
 {
     vec3 t, b;
     makeFrame(n, t, b);
-    float alpha = max(roughness * roughness, 1e-4);
-    vec3 v = normalize(vec3(alpha * dot(t, view), alpha * dot(b, view), max(dot(n, view), 1e-4)));
-    float len2 = dot(v.xy, v.xy);
-    vec3 t1 = len2 > 0.0 ? vec3(-v.y, v.x, 0.0) * inversesqrt(len2) : vec3(1.0, 0.0, 0.0);
-    vec3 t2 = cross(v, t1);
-    float r = sqrt(u.x), phi = 2.0 * kPi * u.y;
-    float p1 = r * cos(phi), p2 = mix(sqrt(1.0 - p1 * p1), r * sin(phi), 0.5 * (1.0 + v.z));
-    vec3 h = p1 * t1 + p2 * t2 + sqrt(max(1.0 - p1 * p1 - p2 * p2, 0.0)) * v;
-    h = normalize(vec3(alpha * h.xy, max(h.z, 1e-6)));
+    float alpha = max(roughness * roughness, 1e-4), a2 = alpha * alpha;
+    vec3 v = normalize(vec3(dot(t, view), dot(b, view), max(dot(n, view), 1e-4)));
+    vec3 stretched = normalize(vec3(v.xy * alpha, v.z));
+    float c = 1.0 + length(v.xy);
+    float low = stretched.z * (1.0 - a2) * c * c / (c * c + a2 * v.z * v.z);
+    float phi = 2.0 * kPi * u.x, z = (1.0 - u.y) * (1.0 + low) - low;
+    float r = sqrt(max(1.0 - z * z, 0.0));
+    vec3 h = stretched + vec3(r * cos(phi), r * sin(phi), z);
+    h = normalize(vec3(h.xy * alpha, max(h.z, 1e-7)));
     return reflect(-view, normalize(t * h.x + b * h.y + n * h.z));
 }
 
