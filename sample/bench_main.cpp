@@ -54,8 +54,7 @@ void bench(const Options& options)
     const std::unique_ptr<engine::Device> device = createDevice(options);
     Report report;
     report.device = device->properties().deviceName;
-    report.isStatic = options.workload.isStatic;
-    report.frameCount = options.workload.frameCount;
+    report.workload = options.workload;
     std::cout << report.device;
     if (!options.isMemoryOnly)
     {

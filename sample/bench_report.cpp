@@ -82,8 +82,10 @@ Json toJson(const Report& report, const Result& result)
     Json json = {{"denoiser", result.denoiser},
                  {"resolution", {result.size.width, result.size.height}},
                  {"device", report.device}};
+    json["settings"] = Json::object();
+    for (const auto& [key, value] : report.workload.settings) json["settings"][key] = value;
     if (report.bytesPerSecond > 0.0) json["copyGBPerSecond"] = report.bytesPerSecond * 1e-9;
-    if (result.cpu) json["input"] = {{"static", report.isStatic}, {"frames", report.frameCount}};
+    if (result.cpu) json["input"] = {{"static", report.workload.isStatic}, {"frames", report.workload.frameCount}};
     if (result.skyPercent) json["input"]["skyPercent"] = *result.skyPercent;
     if (result.gpu) json["gpuMs"] = gpuJson(report, *result.gpu);
     const double sum = result.memory.permanent + result.memory.transient;
@@ -137,7 +139,7 @@ std::string formatResult(const Report& report, const Result& result, const PeerR
 {
     std::string text = print("%s, %u x %u", result.denoiser.c_str(), result.size.width, result.size.height);
     if (result.skyPercent) text += print(", %.1f %% sky", *result.skyPercent);
-    if (result.cpu) text += report.isStatic ? ", camera still" : ", camera moving";
+    if (result.cpu) text += report.workload.isStatic ? ", camera still" : ", camera moving";
     text += "\n";
     if (result.gpu) text += formatGpu(report, *result.gpu, peer);
     if (result.cpu)

@@ -45,8 +45,7 @@ struct Report
 {
     std::string device;
     double bytesPerSecond = 0.0; // of copies; 0: not measured
-    bool isStatic = false;
-    uint32_t frameCount = 0;
+    Workload workload;
     std::vector<Result> results;
 };
 

@@ -20,7 +20,7 @@ constexpr bool kIn = false, kOut = true;
 
 // clang-format off
 constexpr BenchSlot kSlots[] = {
-    // type                                   family             format        content                 specular direction
+    // type, family, format, content, of the specular lobe, direction
     {ResourceType::IN_MV,                      kAny,              kRgba16,      BENCH_MOTION,           false, kIn},
     {ResourceType::IN_NORMAL_ROUGHNESS,        kAny,              kA2B10G10R10, BENCH_NORMAL_ROUGHNESS, false, kIn},
     {ResourceType::IN_VIEWZ,                   kAny,              kR32,         BENCH_VIEWZ,            false, kIn},

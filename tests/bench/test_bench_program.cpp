@@ -91,6 +91,7 @@ TEST_CASE("the expression selects, and a still camera and settings are passed on
     CHECK(json[1]["resolution"] == nlohmann::json({48, 20}));
     CHECK(json[3]["denoiser"] == "REBLUR_SPECULAR");
     CHECK(json[0]["input"]["static"] == true);
+    CHECK(json[0]["settings"]["maxStabilizedFrameNum"] == "0");
     CHECK(json[0]["input"]["skyPercent"].get<double>() > 7.0);
     for (const nlohmann::json& pass : json[0]["gpuMs"]["passes"]) CHECK(pass["name"] != "Temporal stabilization");
 }
