@@ -201,11 +201,12 @@ void ReplayGpu::uploadLayers(const Planes& frame)
         engine::upload(*m_device, image, std::as_bytes(std::span<const float>(layerValues(frame, layer))));
 }
 
-void ReplayGpu::recordPack(VkCommandBuffer cmd, Slot& slot, const nrd::HitDistanceParameters& parameters)
+void ReplayGpu::recordPack(VkCommandBuffer cmd, Slot& slot, const ReplaySettings& settings)
 {
     engine::transition(cmd, slot.image, engine::kStorage);
     const bool isMix = slot.row.type == nrd::ResourceType::IN_DISOCCLUSION_THRESHOLD_MIX;
-    const PackConstants constants{{parameters.A, parameters.B, parameters.C, 0.0f},
+    const nrd::HitDistanceParameters& p = settings.reblur.hitDistanceParameters;
+    const PackConstants constants{{p.A * settings.common.metersToUnits, p.B, p.C, 0.0f},
                                   slot.row.mode,
                                   slot.row.isDiffuse,
                                   {static_cast<uint32_t>(m_info.width), static_cast<uint32_t>(m_info.height)},
@@ -243,7 +244,7 @@ void ReplayGpu::recordDenoise(VkCommandBuffer cmd)
 void ReplayGpu::record(VkCommandBuffer cmd, const ReplaySettings& settings, bool isWanted)
 {
     for (Slot& slot : m_slots)
-        if (!slot.row.isOutput) recordPack(cmd, slot, settings.reblur.hitDistanceParameters);
+        if (!slot.row.isOutput) recordPack(cmd, slot, settings);
     recordDenoise(cmd);
     if (!isWanted) return;
     for (Slot& slot : m_slots) recordUnpack(cmd, slot);
@@ -278,7 +279,7 @@ ReplayedFrame ReplayGpu::read(const Planes& frame, bool isHistoryLength)
             Signals& signals = reading.isExtracted ? result.extracted : result.signals;
             if (row.type == nrd::ResourceType::OUT_VALIDATION) result.overlay = pictureOf(values, {}, colour, 0.0f);
             if (row.radiance) signals[*row.radiance] = pictureOf(values, surface, colour, 0.0f);
-            if (!row.scalar || isHistoryLength) continue;
+            if (!row.scalar || (row.radiance && isHistoryLength)) continue;
             signals[*row.scalar] = pictureOf(values, surface, scalar, 1.0f);
         }
     }

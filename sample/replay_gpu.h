@@ -90,7 +90,7 @@ private:
     ReplaySettings settingsOfFrame() const;
     void uploadLayers(const Planes& frame);
     void record(VkCommandBuffer cmd, const ReplaySettings& settings, bool isWanted);
-    void recordPack(VkCommandBuffer cmd, Slot& slot, const nrd::HitDistanceParameters& parameters);
+    void recordPack(VkCommandBuffer cmd, Slot& slot, const ReplaySettings& settings);
     void recordUnpack(VkCommandBuffer cmd, Slot& slot);
     void recordDenoise(VkCommandBuffer cmd);
     ReplayedFrame read(const Planes& frame, bool isHistoryLength);
