@@ -10,7 +10,7 @@
 #ifndef NRD_RESTORE_GLSL
 #define NRD_RESTORE_GLSL
 
-// A pixel and four around it, left, right, up and down, in any order.
+// A pixel and four around it, left, right, up and down, in any order; a pixel or two away.
 struct NRD_Neighborhood
 {
     vec3 normal; // of this frame, full detail
@@ -27,13 +27,19 @@ bool NRD_IsSameSurface(NRD_Neighborhood s, int neighbor, vec3 view)
            dot(s.neighborNormals[neighbor], s.normal) >= 0.01;
 }
 
-// Mean over what is the same surface: the reference normal below, for those who have no normal before normal mapping.
-vec3 NRD_GetReferenceNormal(NRD_Neighborhood s, vec3 view)
+// How far a normal may be off, per roughness, for the denoiser to blur across: a little wider than REBLUR's default.
+#define NRD_REFERENCE_NORMAL_ANGLE 0.2
+
+// Mean of the normals that the denoiser blurred together: the reference below, for those who have no normal from before
+// normal mapping. Others must stay out: a corner's mean normal belongs to neither wall. roughness: 1 for diffuse.
+vec3 NRD_GetReferenceNormal(NRD_Neighborhood s, vec3 view, float roughness)
 {
+    float angle = NRD_REFERENCE_NORMAL_ANGLE * roughness;
     vec3 sum = s.normal;
     for (int i = 0; i < 4; i++)
     {
-        if (NRD_IsSameSurface(s, i, view)) sum += s.neighborNormals[i];
+        vec3 apart = s.neighborNormals[i] - s.normal; // its length is the angle, where acos has no digits
+        if (dot(apart, apart) <= angle * angle && NRD_IsSameSurface(s, i, view)) sum += s.neighborNormals[i];
     }
     return NRD_NormalizeOrZero(sum);
 }
