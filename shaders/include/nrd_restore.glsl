@@ -1,12 +1,12 @@
 // Part of nrd_frontend.glsl: include that.
 //
-// Another resolve of the lobe record: puts back the dependence on the pixel's own normal that blurring took, relative to
-// the normals the blur averaged over. Where the two normals agree, the colour is returned as it is: no bias on smooth
-// surfaces, whatever the light.
+// Another resolve of the lobe record: puts back the dependence on the pixel's own normal that blurring took, relative
+// to the normals the blur averaged over. Where the two normals agree, the colour is returned as it is: no bias on
+// smooth surfaces, whatever the light.
 //
 // The record describes light times lobe. Both are taken for von Mises-Fisher lobes, whose product has the sum of their
-// vectors (sharpness * axis), so the light's vector is the record's minus the lobe's at the reference normal. Turning the
-// lobe to the pixel's normal and integrating again gives the ratio by which the colour changes.
+// vectors (sharpness * axis), so the light's vector is the record's minus the lobe's at the reference normal. Turning
+// the lobe to the pixel's normal and integrating again gives the ratio by which the colour changes.
 #ifndef NRD_RESTORE_GLSL
 #define NRD_RESTORE_GLSL
 
