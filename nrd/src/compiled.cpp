@@ -72,7 +72,8 @@ public:
     {
         if (!binding.isTexture())
         {
-            if (m_denoiser.program.family->areOutputsCleared) add(binding.type, 0, Format::RGBA16_SFLOAT, 1);
+            if (m_denoiser.program.family->areOutputsCleared && isSignal(binding.type))
+                add(binding.type, 0, Format::RGBA16_SFLOAT, 1);
             return;
         }
         const Texture& texture = m_denoiser.program.textures[binding.texture];
@@ -82,6 +83,14 @@ public:
     }
 
 private:
+    // What else a user may bind is there only at times, and written whole by its pass.
+    bool isSignal(ResourceType type) const
+    {
+        const auto& signals = m_denoiser.program.variant->signals;
+        const auto isOutput = [type](const SignalRow& signal) { return signal.output == type; };
+        return std::any_of(signals.begin(), signals.end(), isOutput);
+    }
+
     void add(ResourceType type, uint16_t index, Format format, uint16_t factor)
     {
         for (const ClearTarget& clear : m_denoiser.clears)

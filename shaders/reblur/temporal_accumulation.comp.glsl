@@ -35,6 +35,7 @@ layout(set = SET_RESOURCES, binding = FIRST_SCALAR + 2) uniform texture2D gIn_Tr
 layout(set = SET_RESOURCES, binding = FIRST_SCALAR + 3) uniform texture2D gIn_PrevTrack;
 layout(set = SET_RESOURCES, binding = FIRST_OUT + LOBE_NUM - 1) uniform writeonly image2D gOut_Specular;
 layout(set = SET_RESOURCES, binding = FIRST_OUT + LOBE_NUM + 4) uniform writeonly image2D gOut_Track;
+layout(set = SET_RESOURCES, binding = FIRST_OUT + LOBE_NUM + 5) uniform writeonly image2D gOut_VirtualAmount;
 #endif
 layout(set = SET_RESOURCES, binding = FIRST_SCALAR) uniform texture2D gIn_Fast;
 layout(set = SET_RESOURCES, binding = FIRST_SCALAR + 1) uniform texture2D gIn_Stab;

@@ -16,6 +16,7 @@ enum Tex : uint8_t
     TrackNew,
     StabHistory,
     StabWeight,
+    VirtualAmount,
     Scratch,
     PrevViewZ,
     PrevNormalRoughness,
@@ -36,6 +37,7 @@ constexpr TextureRow kTextures[] = {
     {TrackNew, "TrackNew", fixed(R16_SFLOAT), Transient, 1, kSpecular},
     {StabHistory, "StabHistory", perLobes(R16_SFLOAT, RG16_SFLOAT), Transient},
     {StabWeight, "StabWeight", perLobes(R8_UNORM, RG8_UNORM), Transient},
+    {VirtualAmount, "VirtualAmount", fixed(R8_UNORM), Transient, VIRTUAL_AMOUNT_STEP, kSpecular},
     {Scratch, "Scratch", kPerSignal, Transient},
     {PrevViewZ, "PrevViewZ", fixed(R32_SFLOAT), Permanent},
     {PrevNormalRoughness, "PrevNormalRoughness", kGuide, Permanent},
@@ -67,6 +69,7 @@ bool runsStabilization(const Conditions& c) { return isDenoised(c) && hasStabili
 bool hasAntiFirefly(const Conditions& c) { return settingsOf(c).enableAntiFirefly; }
 bool hasConfidence(const Conditions& c) { return c.common.isHistoryConfidenceAvailable; }
 bool hasDisocclusionMix(const Conditions& c) { return c.common.isDisocclusionThresholdMixAvailable; }
+bool hasValidation(const Conditions& c) { return c.common.enableValidation; }
 
 bool hasMaterialTest(const Conditions& c)
 {
@@ -85,6 +88,7 @@ constexpr SwitchRow kMaterialTest = {SPEC_HAS_MATERIAL_TEST, hasMaterialTest};
 constexpr SwitchRow kConfidence = {SPEC_HAS_CONFIDENCE, hasConfidence};
 constexpr SwitchRow kDisocclusionMix = {SPEC_HAS_DISOCCLUSION_MIX, hasDisocclusionMix};
 constexpr SwitchRow kAntiFirefly = {SPEC_HAS_ANTI_FIREFLY, hasAntiFirefly};
+constexpr SwitchRow kValidationSwitch = {SPEC_HAS_VALIDATION, hasValidation, kSpecular};
 
 constexpr ResourceType ViewZ = ResourceType::IN_VIEWZ;
 constexpr ResourceType NormalRoughness = ResourceType::IN_NORMAL_ROUGHNESS;
@@ -98,6 +102,9 @@ constexpr Slot kStab = optional(hasStabilization, Stab);
 constexpr Slot kThresholdMix = optional(hasDisocclusionMix, ResourceType::IN_DISOCCLUSION_THRESHOLD_MIX);
 constexpr Slot kDiffuseConfidence = only(kDiffuse, optional(hasConfidence, ResourceType::IN_DIFF_CONFIDENCE));
 constexpr Slot kSpecularConfidence = only(kSpecular, optional(hasConfidence, ResourceType::IN_SPEC_CONFIDENCE));
+// The overlay shows the inputs even when nothing is denoised.
+constexpr Slot kShownLength = optional(isDenoised, Length);
+constexpr Slot kShownVirtualAmount = only(kSpecular, optional(isDenoised, VirtualAmount));
 
 constexpr GroupSize kTile = {TILE_SIZE, TILE_SIZE}; // whatever the number of invocations
 constexpr GroupSize kGroup16x16 = {16, 16};
@@ -119,6 +126,8 @@ constexpr ShaderSet kTemporalStabilization = {Shader::ReblurTemporalStabilizatio
                                               Shader::ReblurTemporalStabilizationDiffuseSpecular};
 constexpr ShaderSet kSplitScreen = {Shader::ReblurSplitScreenDiffuse, Shader::ReblurSplitScreenSpecular,
                                     Shader::ReblurSplitScreenDiffuseSpecular};
+constexpr ShaderSet kValidation = {Shader::ReblurValidationDiffuse, Shader::ReblurValidationSpecular,
+                                   Shader::ReblurValidationDiffuseSpecular};
 
 // name, shader per variant, reads, writes, group, runs if, switches. Outputs are written once, by the last pass.
 constexpr PassRow kPasses[] = {
@@ -135,10 +144,10 @@ constexpr PassRow kPasses[] = {
      {Tiles, ViewZ, NormalRoughness, Motion, PrevViewZ, PrevNormalRoughness, PrevLength, kThresholdMix,
       kDiffuseConfidence, kSpecularConfidence, kEachAccumulated, each(History), Fast, kStab, kTrackNew,
       only(kSpecular, prev(Track))},
-     {each(Scratch), FastTemp, Length, StabHistory, StabWeight, only(kSpecular, Track)},
+     {each(Scratch), FastTemp, Length, StabHistory, StabWeight, only(kSpecular, Track), only(kSpecular, VirtualAmount)},
      kGroup8x16,
      isDenoised,
-     {kPrePassSwitch, kStabilization, kMaterialTest, kConfidence, kDisocclusionMix}},
+     {kPrePassSwitch, kStabilization, kMaterialTest, kConfidence, kDisocclusionMix, kValidationSwitch}},
     {"History fix",
      kHistoryFix,
      {Tiles, ViewZ, NormalRoughness, Length, each(Scratch), FastTemp, only(kSpecular, Track)},
@@ -167,6 +176,12 @@ constexpr PassRow kPasses[] = {
      kGroup8x16,
      runsStabilization},
     {"Split screen", kSplitScreen, {ViewZ, kEachInput}, {kEachOutput}, kGroup16x16, isSplit},
+    {"Validation",
+     kValidation,
+     {ViewZ, NormalRoughness, Motion, kShownLength, kShownVirtualAmount, kEachInput},
+     {ResourceType::OUT_VALIDATION},
+     kGroup16x16,
+     hasValidation},
 };
 
 constexpr SignalRow kDiffuseRadiance = {ResourceType::IN_DIFF_RADIANCE_HITDIST, ResourceType::OUT_DIFF_RADIANCE_HITDIST,
