@@ -26,7 +26,11 @@ bool hasHistory() { return g.splitScreen < 1.0; }
 float storedViewZ(ivec2 pixel) { return texelFetch(gIn_ViewZ, guideTexel(pixel), 0).x * g.viewZScale; }
 
 // Before decodeViewZ(), whose max() would make a number of NaN.
-bool isShown(ivec2 pixel) { return isInRange(abs(storedViewZ(pixel))); }
+bool isShown(ivec2 pixel)
+{
+    float viewZ = storedViewZ(pixel);
+    return NRD_IsFinite(viewZ) && isInRange(abs(viewZ));
+}
 
 vec3 worldPosition(ivec2 pixel) // from the camera
 {
@@ -98,6 +102,13 @@ vec4 hitDistColor(texture2D signal, ivec2 pixel)
     return hitDist == 0.0 ? kRed : greyOf(hitDist);
 }
 
+// Place in the unit cube. Half a step of the output keeps walls and floors at whole numbers from flickering between 0
+// and 1, so that noise in this view means noise in the depth.
+vec4 worldColor(ivec2 pixel)
+{
+    return vec4(fract(worldPosition(pixel) + g.cameraPosition.xyz + 0.5 / 255.0), 1.0);
+}
+
 vec4 guideColor(View v)
 {
     if (!isShown(v.source)) return kBlack;
@@ -108,7 +119,7 @@ vec4 guideColor(View v)
     case kViewNormal: return vec4(0.5 * guide.N + 0.5, 1.0);
     case kViewMotion: return motionColor(v.source);
     }
-    return vec4(fract(worldPosition(v.source) + g.cameraPosition.xyz), 1.0);
+    return worldColor(v.source);
 }
 
 vec4 viewColor(View v)

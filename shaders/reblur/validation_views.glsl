@@ -73,11 +73,12 @@ void drawLabel(View v, inout vec4 color)
 {
     int scale = textScale(v);
     if (scale == 0) return;
+    uint label[kLabelLength] = labelOf(v.index);
     ivec2 texel = v.pixel / scale - 1;
-    drawInk(isLabelInk(labelOf(v.index), texel), texel, ivec2(kLabelLength * kAdvance - 1, kGlyphSize.y), color);
+    drawInk(isLabelInk(label, texel), texel, ivec2(labelLength(label) * kAdvance - 1, kGlyphSize.y), color);
 }
 
-// bottomRight or bottomLeft corner in pixels of the cell.
+// topLeft: pixels of the cell.
 void drawNumber(View v, uint number, ivec2 topLeft, inout vec4 color)
 {
     int scale = textScale(v);
@@ -94,7 +95,7 @@ vec3 rainbow(float share)
 }
 
 // What must lie in [0; 1].
-vec4 greyOf(float x) { return x >= 0.0 && x <= 1.0 ? vec4(vec3(x), 1.0) : kMagenta; }
+vec4 greyOf(float x) { return NRD_IsFinite(x) && x >= 0.0 && x <= 1.0 ? vec4(vec3(x), 1.0) : kMagenta; }
 
 //----------------------------------------------------------------------------------------------------------------------
 // Two squares in the corners of the first view; p is in [-1; 1]
@@ -121,7 +122,8 @@ vec3 kernelColor(vec2 p)
         for (int i = 0; i < 8; i++)
         {
             vec2 tap = 0.85 * rotateTap(g.rotatorBlur, rotateTap(turn, kTaps[i].xy));
-            if (distance(p, tap) < kDotRadius) return age == 0 ? vec3(1.0) : vec3(0.0, 0.5, 1.0) * (1.0 - 0.1 * float(age));
+            if (distance(p, tap) >= kDotRadius) continue;
+            return age == 0 ? vec3(1.0) : vec3(0.0, 0.5, 1.0) * (1.0 - 0.1 * float(age));
         }
     }
     return vec3(0.0);

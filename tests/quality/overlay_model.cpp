@@ -1,4 +1,5 @@
 #include "overlay_model.h"
+#include "catch.h"
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -74,5 +75,43 @@ Comparison compareView(const Harness& harness, int view, int tolerance, const Ex
         }
     }
     return result;
+}
+
+void requireView(const Harness& harness, int view, int tolerance, const ExpectedColor& expected)
+{
+    const Comparison c = compareView(harness, view, tolerance, expected);
+    INFO("view " << view << ": " << c.different << " of " << c.compared << " pixels differ, worst by " << c.worst);
+    CHECK(c.compared > 0);
+    CHECK(c.different == 0);
+}
+
+void requireNothing(const Harness& harness, int view)
+{
+    requireView(harness, view, 0, [](const OverlayPixel&) { return kOverlayNothing; });
+}
+
+bool isSky(const Frame& frame, size_t i) { return !(std::abs(frame.guides.viewZ[i]) < kDenoisingRange); }
+
+Frame makeOverlayFrame(int index, float speed, int width, int height)
+{
+    const size_t count = static_cast<size_t>(width) * static_cast<size_t>(height);
+    const Signal constant(count, glm::vec4(1.0f, 0.0f, 0.0f, 0.37f));
+    return {renderGuides(makeCamera(index, speed, width, height), width, height), constant, constant};
+}
+
+void runOverlay(Harness& harness, int frames, float speed, const std::function<void(Frame&)>& change)
+{
+    for (int i = 0; i < frames; i++)
+    {
+        Frame frame = makeOverlayFrame(i, speed, harness.width(), harness.height());
+        const bool isLast = i + 1 == frames;
+        if (isLast && change) change(frame);
+        harness.denoise(frame, [=](nrd::CommonSettings& common) { common.enableValidation = isLast; });
+    }
+}
+
+ExpectedColor onSurfaces(const Frame& frame, std::function<glm::u8vec4(size_t)> color)
+{
+    return [&frame, color](const OverlayPixel& p) { return isSky(frame, p.source) ? kOverlayBlack : color(p.source); };
 }
 } // namespace quality

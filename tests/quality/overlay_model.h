@@ -1,4 +1,5 @@
-// What the overlay must show, computed here: where each view lies, which pixel it shows, and in which colour.
+// What the overlay must show, computed here: where each view lies, which pixel it shows, and in which colour; and the
+// frames on which it is tried.
 #pragma once
 #include "harness.h"
 #include <functional>
@@ -49,4 +50,20 @@ struct Comparison
     int worst = 0;
 };
 Comparison compareView(const Harness& harness, int view, int tolerance, const ExpectedColor& expected);
+void requireView(const Harness& harness, int view, int tolerance, const ExpectedColor& expected);
+void requireNothing(const Harness& harness, int view);
+
+// Cells of 32 x 18 pixels: no text, and each of their pixels shows one that wrote its virtual amount.
+constexpr int kOverlayWidth = 128, kOverlayHeight = 72;
+constexpr size_t kOverlayCount = size_t(kOverlayWidth) * kOverlayHeight;
+constexpr int kLegendTop = 17; // line of a cell at which the last 5 % begin
+
+bool isSky(const Frame& frame, size_t i);
+Frame makeOverlayFrame(int index, float speed, int width = kOverlayWidth, int height = kOverlayHeight);
+
+// The last of several frames alone has the overlay, and may be changed.
+void runOverlay(Harness& harness, int frames, float speed, const std::function<void(Frame&)>& change = {});
+
+// Black in the sky, elsewhere as the function of the source pixel says.
+ExpectedColor onSurfaces(const Frame& frame, std::function<glm::u8vec4(size_t)> color);
 } // namespace quality
