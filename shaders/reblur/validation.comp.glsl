@@ -2,6 +2,8 @@
 // there is nothing to judge yet, and everything is 0.
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#include "checkerboard.glsl"
+#include "motion.glsl"
 #include "validation_views.glsl"
 
 #define FIRST_SIGNAL (4 + HAS_SPECULAR)
@@ -13,12 +15,18 @@ layout(set = SET_RESOURCES, binding = 2) uniform texture2D gIn_Motion;
 layout(set = SET_RESOURCES, binding = 3) uniform texture2D gIn_Length;
 #if HAS_DIFFUSE
 layout(set = SET_RESOURCES, binding = FIRST_SIGNAL) uniform texture2D gIn_Diffuse;
+#if IS_SH
+layout(set = SET_RESOURCES, binding = FIRST_SIGNAL + LOBE_NUM) uniform texture2D gIn_DiffuseSh;
+#endif
 #endif
 #if HAS_SPECULAR
 layout(set = SET_RESOURCES, binding = 4) uniform texture2D gIn_VirtualAmount;
 layout(set = SET_RESOURCES, binding = FIRST_SIGNAL + LOBE_NUM - 1) uniform texture2D gIn_Specular;
+#if IS_SH
+layout(set = SET_RESOURCES, binding = FIRST_SIGNAL + 2 * LOBE_NUM - 1) uniform texture2D gIn_SpecularSh;
 #endif
-layout(set = SET_RESOURCES, binding = FIRST_SIGNAL + LOBE_NUM) uniform writeonly image2D gOut_Validation;
+#endif
+layout(set = SET_RESOURCES, binding = FIRST_SIGNAL + SIGNAL_NUM) uniform writeonly image2D gOut_Validation;
 
 // With the split at the right border nothing was denoised, so there is no history to show.
 bool hasHistory() { return g.splitScreen < 1.0; }
@@ -51,12 +59,11 @@ vec4 depthColor(ivec2 pixel)
 vec4 motionColor(ivec2 pixel)
 {
     vec3 X = worldPosition(pixel);
-    vec3 mv = texelFetch(gIn_Motion, guideTexel(pixel), 0).xyz * g.motionVectorScale.xyz;
+    vec3 texel = texelFetch(gIn_Motion, guideTexel(pixel), 0).xyz;
     bool isWorldSpace = g.motionVectorScale.w != 0.0;
-    if (!NRD_IsFinite(mv.x) || !NRD_IsFinite(mv.y) || (isWorldSpace && !NRD_IsFinite(mv.z))) return kMagenta;
-    vec2 expected = projectToUv(g.worldToClipPrev, X);
-    vec2 given = isWorldSpace ? projectToUv(g.worldToClipPrev, X + mv) : pixelUv(pixel) + mv.xy;
-    vec2 difference = clamp(abs(given - expected) * g.rectSize, 0.0, 1.0);
+    if (!NRD_IsFinite(texel.x) || !NRD_IsFinite(texel.y) || (isWorldSpace && !NRD_IsFinite(texel.z))) return kMagenta;
+    vec2 given = followMotion(pixelUv(pixel), abs(storedViewZ(pixel)), X, texel).uv;
+    vec2 difference = clamp(abs(given - projectToUv(g.worldToClipPrev, X)) * g.rectSize, 0.0, 1.0);
     return vec4(difference, isInScreen(given) ? 0.0 : 1.0, 1.0);
 }
 
@@ -94,11 +101,17 @@ vec4 lengthColor(View v, int channel)
     return color;
 }
 
-// Red: this lobe has no sample here, which is fine for some pixels and a fault for all.
-vec4 hitDistColor(texture2D signal, ivec2 pixel)
+// Red: this lobe has no sample here, which is fine for some pixels and a fault for all. A pixel of a checkerboard that
+// has no data shows that of its neighbour.
+vec4 hitDistColor(texture2D signal, texture2D second, ivec2 pixel)
 {
     if (!isShown(pixel)) return kBlack;
-    float hitDist = texelFetch(signal, pixel, 0).w;
+    ivec2 texel = inputTexel(pixel);
+    vec4 value = texelFetch(signal, texel, 0);
+    bool isFinite = NRD_IsRadianceFinite(value.xyz);
+    if (kIsSh) isFinite = isFinite && NRD_IsRadianceFinite(texelFetch(second, texel, 0).xyz);
+    float hitDist = kIsOcclusion ? value.x : value.w;
+    if (!isFinite) return kMagenta;
     return hitDist == 0.0 ? kRed : greyOf(hitDist);
 }
 
@@ -134,11 +147,11 @@ vec4 viewColor(View v)
     case kViewVirtualAmount: return virtualAmountColor(v.source);
 #if HAS_DIFFUSE
     case kViewDiffuseLength: return lengthColor(v, 0);
-    case kViewDiffuseHitDist: return hitDistColor(gIn_Diffuse, v.source);
+    case kViewDiffuseHitDist: return hitDistColor(gIn_Diffuse, gIn_DiffuseSh, v.source);
 #endif
 #if HAS_SPECULAR
     case kViewSpecularLength: return lengthColor(v, kSpecularChannel);
-    case kViewSpecularHitDist: return hitDistColor(gIn_Specular, v.source);
+    case kViewSpecularHitDist: return hitDistColor(gIn_Specular, gIn_SpecularSh, v.source);
 #endif
     }
     return kNothing;
