@@ -8,7 +8,8 @@ using nrd::shared::ReblurConstants;
 
 namespace
 {
-constexpr Denoiser kDenoisers[] = {Denoiser::REBLUR_DIFFUSE, Denoiser::REBLUR_SPECULAR, kReblurBoth};
+constexpr Denoiser kDenoisers[] = {Denoiser::REBLUR_DIFFUSE, Denoiser::REBLUR_SPECULAR, kReblurBoth,
+                                   Denoiser::REBLUR_SPECULAR_OCCLUSION, Denoiser::REBLUR_DIFFUSE_SPECULAR_SH};
 
 // Null where the slot is not listed at all.
 const ResourceRequirement* findRequirement(const Instance& instance, ResourceType type)
@@ -73,6 +74,7 @@ TEST_CASE("what the other passes do, does not change with the overlay but for on
         return pipelines;
     };
     const std::vector<uint16_t> off = pipelinesOf(requestFrame(*instance, common));
+    const std::vector<std::string> names = passNames(requestFrame(*instance, common));
     common.enableValidation = true;
     std::vector<uint16_t> on = pipelinesOf(requestFrame(*instance, common));
     common.enableValidation = false;
@@ -80,7 +82,7 @@ TEST_CASE("what the other passes do, does not change with the overlay but for on
 
     REQUIRE(on.size() == off.size() + 1);
     on.pop_back();
-    for (size_t i = 0; i < off.size(); i++) CHECK((on[i] == off[i]) == (i != 2)); // temporal accumulation
+    for (size_t i = 0; i < off.size(); i++) CHECK((on[i] == off[i]) == (names[i] != "Temporal accumulation"));
 }
 
 TEST_CASE("where only the input is shown the overlay reads nothing that nobody wrote", "[unit]")

@@ -71,6 +71,20 @@ std::vector<uint64_t> packSignal(const Signal& signal)
     for (const glm::vec4& v : signal) texels.push_back(packHalf4(v));
     return texels;
 }
+// The same images under the names that the other variants give them; what a denoiser does not need it does not look at.
+void fillVariantSlots(nrd::NrdUserPool& pool)
+{
+    using Type = nrd::ResourceType;
+    for (const Type slot :
+         {Type::IN_DIFF_HITDIST, Type::IN_DIFF_DIRECTION_HITDIST, Type::IN_DIFF_SH0, Type::IN_DIFF_SH1})
+        pool[slot] = pool[Type::IN_DIFF_RADIANCE_HITDIST];
+    for (const Type slot : {Type::IN_SPEC_HITDIST, Type::IN_SPEC_SH0, Type::IN_SPEC_SH1})
+        pool[slot] = pool[Type::IN_SPEC_RADIANCE_HITDIST];
+    for (const Type slot : {Type::OUT_DIFF_HITDIST, Type::OUT_DIFF_DIRECTION_HITDIST, Type::OUT_DIFF_SH0})
+        pool[slot] = pool[Type::OUT_DIFF_RADIANCE_HITDIST];
+    for (const Type slot : {Type::OUT_SPEC_HITDIST, Type::OUT_SPEC_SH0})
+        pool[slot] = pool[Type::OUT_SPEC_RADIANCE_HITDIST];
+}
 } // namespace
 
 float toHalf(float value) { return glm::unpackHalf1x16(glm::packHalf1x16(value)); }
@@ -93,6 +107,8 @@ struct Harness::Impl
     Image viewZ{rhi::Format::R32_SFLOAT, width, height};
     Image inDiffuse{rhi::Format::RGBA16_SFLOAT, width, height}, inSpecular{rhi::Format::RGBA16_SFLOAT, width, height};
     Image outDiffuse{rhi::Format::RGBA16_SFLOAT, width, height}, outSpecular{rhi::Format::RGBA16_SFLOAT, width, height};
+    Image outDiffuseSh1{rhi::Format::RGBA16_SFLOAT, width, height};
+    Image outSpecularSh1{rhi::Format::RGBA16_SFLOAT, width, height};
     Image outOverlay{rhi::Format::RGBA8_UNORM, width, height};
     bool isOverlayOn = false;
     nrd::NrdIntegration integration;
@@ -183,7 +199,9 @@ void Harness::Impl::record(rhi::CommandBuffer& commands)
                              {nrd::ResourceType::IN_DIFF_RADIANCE_HITDIST, &inDiffuse, false},
                              {nrd::ResourceType::IN_SPEC_RADIANCE_HITDIST, &inSpecular, false},
                              {nrd::ResourceType::OUT_DIFF_RADIANCE_HITDIST, &outDiffuse, true},
-                             {nrd::ResourceType::OUT_SPEC_RADIANCE_HITDIST, &outSpecular, true}};
+                             {nrd::ResourceType::OUT_SPEC_RADIANCE_HITDIST, &outSpecular, true},
+                             {nrd::ResourceType::OUT_DIFF_SH1, &outDiffuseSh1, true},
+                             {nrd::ResourceType::OUT_SPEC_SH1, &outSpecularSh1, true}};
     if (isOverlayOn) rows.push_back({nrd::ResourceType::OUT_VALIDATION, &outOverlay, true});
     nrd::NrdUserPool pool;
     for (const Row& row : rows)
@@ -200,6 +218,7 @@ void Harness::Impl::record(rhi::CommandBuffer& commands)
         entry.state.access = row.isOutput ? VK_ACCESS_SHADER_WRITE_BIT : VK_ACCESS_SHADER_READ_BIT;
         entry.state.stages = VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT;
     }
+    fillVariantSlots(pool);
     const nrd::Identifier identifier = 0;
     nrd::DenoiseOptions options;
     options.restoreInitialStates = true;
@@ -235,6 +254,8 @@ Harness::Harness(int width, int height, const nrd::ReblurSettings& settings, nrd
     m_impl->create(settings, denoiser);
     poisonOutputs(0.0f);
     poisonOverlay(glm::u8vec4(0));
+    m_impl->outDiffuseSh1.fill(std::vector<uint64_t>(static_cast<size_t>(width) * static_cast<size_t>(height), 0));
+    m_impl->outSpecularSh1.fill(std::vector<uint64_t>(static_cast<size_t>(width) * static_cast<size_t>(height), 0));
 }
 
 Harness::~Harness() { test::failOnMessages(); }

@@ -1,5 +1,5 @@
-// Runs a REBLUR denoiser of radiance through NrdIntegration on images filled from the host. Any validation message of
-// the device fails the running test case.
+// Runs a REBLUR denoiser through NrdIntegration on images filled from the host; every slot of a lobe gets the same
+// image. Any validation message of the device fails the running test case.
 #pragma once
 #include "scene.h"
 #include <functional>

@@ -192,6 +192,7 @@ TEST_CASE("hit distances are grey, red at 0, magenta where they cannot be", "[gp
     {
         for (size_t i = 0; i < kOverlayCount; i++) last.diffuse[i].w = values[(i / 4) % 6];
         for (size_t i = 0; i < kOverlayCount; i++) last.specular[i].w = values[(i / 4 + 3) % 6];
+        for (size_t i = 0; i < kOverlayCount / 2; i++) last.specular[i].y = i / 4 % 2 == 0 ? 0.0f : nan;
         frame = last;
     };
     runOverlay(harness, 2, 0.0f, change);
@@ -201,7 +202,13 @@ TEST_CASE("hit distances are grey, red at 0, magenta where they cannot be", "[gp
         return h > 0.0f && h <= 1.0f ? toBytes(glm::dvec3(h)) : kOverlayMagenta;
     };
     requireView(harness, kDiffuseHitDist, 1, onSurfaces(frame, [&](size_t i) { return color(frame.diffuse[i].w); }));
-    requireView(harness, kSpecularHitDist, 1, onSurfaces(frame, [&](size_t i) { return color(frame.specular[i].w); }));
+    requireView(harness, kSpecularHitDist, 1,
+                onSurfaces(frame,
+                           [&](size_t i)
+                           {
+                               const glm::vec4 v = frame.specular[i];
+                               return std::isnan(v.y) ? kOverlayMagenta : color(v.w);
+                           }));
 }
 
 TEST_CASE("the virtual amount is 0 at rest, and high where a mirror is passed by", "[gpu]")

@@ -8,6 +8,25 @@ using namespace quality;
 namespace
 {
 constexpr glm::u8vec4 kPoison(12, 34, 56, 78);
+
+struct VariantRow
+{
+    nrd::Denoiser denoiser;
+    bool hasDiffuse, hasSpecular;
+};
+
+constexpr VariantRow kVariants[] = {
+    {nrd::Denoiser::REBLUR_DIFFUSE, true, false},
+    {nrd::Denoiser::REBLUR_DIFFUSE_OCCLUSION, true, false},
+    {nrd::Denoiser::REBLUR_DIFFUSE_SH, true, false},
+    {nrd::Denoiser::REBLUR_SPECULAR, false, true},
+    {nrd::Denoiser::REBLUR_SPECULAR_OCCLUSION, false, true},
+    {nrd::Denoiser::REBLUR_SPECULAR_SH, false, true},
+    {nrd::Denoiser::REBLUR_DIFFUSE_SPECULAR, true, true},
+    {nrd::Denoiser::REBLUR_DIFFUSE_SPECULAR_OCCLUSION, true, true},
+    {nrd::Denoiser::REBLUR_DIFFUSE_SPECULAR_SH, true, true},
+    {nrd::Denoiser::REBLUR_DIFFUSE_DIRECTIONAL_OCCLUSION, true, false},
+};
 } // namespace
 
 TEST_CASE("after a reset the overlay is all 0", "[gpu]")
@@ -67,32 +86,33 @@ TEST_CASE("the overlay stays inside the rectangle and shows guides from its orig
     CHECK(wrong == 0);
 }
 
-TEST_CASE("a denoiser of one lobe shows that lobe", "[gpu]")
+TEST_CASE("every denoiser shows the lobes it has", "[gpu]")
 {
-    for (const bool isDiffuse : {true, false})
+    for (const VariantRow& row : kVariants)
     {
-        Harness harness(kOverlayWidth, kOverlayHeight, {},
-                        isDiffuse ? nrd::Denoiser::REBLUR_DIFFUSE : nrd::Denoiser::REBLUR_SPECULAR);
+        INFO(nrd::toString(row.denoiser));
+        Harness harness(kOverlayWidth, kOverlayHeight, {}, row.denoiser);
         Frame frame;
-        const auto change = [&](Frame& last)
+        for (int i = 0; i < 4; i++)
         {
-            for (glm::vec4& v : last.diffuse) v.w = 0.25f;
-            for (glm::vec4& v : last.specular) v.w = 0.75f;
-            frame = last;
-        };
-        runOverlay(harness, 4, 0.0f, change);
-        const auto grey = onSurfaces(frame, [&](size_t) { return toBytes(glm::dvec3(isDiffuse ? 0.25 : 0.75)); });
+            frame = makeOverlayFrame(i, 0.0f);
+            frame.diffuse.assign(kOverlayCount, glm::vec4(0.25f, 0.0f, 0.0f, 0.25f)); // occlusion is in the first
+            frame.specular.assign(kOverlayCount, glm::vec4(0.75f, 0.0f, 0.0f, 0.75f));
+            harness.denoise(frame, [](nrd::CommonSettings& common) { common.enableValidation = true; });
+        }
+        const auto grey = [&](double h) { return onSurfaces(frame, [=](size_t) { return toBytes(glm::dvec3(h)); }); };
         const auto length = [&](const OverlayPixel& p)
         {
             if (p.inView.y >= kLegendTop) return rainbowBytes(p.uv.x);
             return isSky(frame, p.source) ? kOverlayBlack : rainbowBytes(3.0 / 30.0);
         };
-        requireView(harness, isDiffuse ? kDiffuseHitDist : kSpecularHitDist, 1, grey);
-        requireView(harness, isDiffuse ? kDiffuseLength : kSpecularLength, 1, length);
-        requireNothing(harness, isDiffuse ? kSpecularHitDist : kDiffuseHitDist);
-        requireNothing(harness, isDiffuse ? kSpecularLength : kDiffuseLength);
-        if (isDiffuse) requireNothing(harness, kVirtualAmount);
-        requireView(harness, kMotion, 0, onSurfaces(frame, [](size_t) { return kOverlayBlack; }));
+        const ExpectedColor nothing = [](const OverlayPixel&) { return kOverlayNothing; };
+        requireView(harness, kDiffuseHitDist, 1, row.hasDiffuse ? grey(0.25) : nothing);
+        requireView(harness, kSpecularHitDist, 1, row.hasSpecular ? grey(0.75) : nothing);
+        requireView(harness, kDiffuseLength, 1, row.hasDiffuse ? ExpectedColor(length) : nothing);
+        requireView(harness, kSpecularLength, 1, row.hasSpecular ? ExpectedColor(length) : nothing);
+        requireView(harness, kVirtualAmount, 0, row.hasSpecular ? grey(0.0) : nothing);
+        requireView(harness, kMotion, 0, grey(0.0));
     }
 }
 
