@@ -45,6 +45,7 @@ std::vector<SettingField> commonFields(nrd::CommonSettings& s)
         field("rectOrigin", s.rectOrigin),
         field("cameraDelta", s.cameraDelta),
         field("isCameraDeltaAvailable", s.isCameraDeltaAvailable),
+        field("metersToUnits", s.metersToUnits),
         field("viewZScale", s.viewZScale),
         field("timeDeltaBetweenFrames", s.timeDeltaBetweenFrames),
         field("denoisingRange", s.denoisingRange),
@@ -57,6 +58,7 @@ std::vector<SettingField> commonFields(nrd::CommonSettings& s)
         field("splitScreen", s.splitScreen),
         field("frameIndex", s.frameIndex),
         field("accumulationMode", s.accumulationMode),
+        field("enableCutDetection", s.enableCutDetection),
         field("isHistoryConfidenceAvailable", s.isHistoryConfidenceAvailable),
         field("isDisocclusionThresholdMixAvailable", s.isDisocclusionThresholdMixAvailable),
         field("enableValidation", s.enableValidation),
@@ -100,6 +102,7 @@ std::vector<SettingField> reblurFields(nrd::ReblurSettings& s)
         field("enableAntiFirefly", s.enableAntiFirefly),
         field("usePrepassOnlyForSpecularMotionEstimation", s.usePrepassOnlyForSpecularMotionEstimation),
         field("returnHistoryLengthInsteadOfOcclusion", s.returnHistoryLengthInsteadOfOcclusion),
+        field("enableReferenceAccumulation", s.enableReferenceAccumulation),
     };
 }
 

@@ -64,6 +64,7 @@ CaptureInfo twoFrames()
     CaptureInfo info;
     info.width = 64;
     info.height = 48;
+    info.metersPerUnit = 0.5;
     CaptureFrame frame;
     frame.isCut = true;
     frame.jitter = {0.25, -0.25};
@@ -167,6 +168,8 @@ TEST_CASE("a frame's settings come from it and the frame before, and a cut has n
     CHECK(first.motionVectorScale[2] == 1.0f);
     CHECK(first.resourceSize[0] == 64);
     CHECK(first.rectSizePrev[1] == 48);
+    CHECK(first.metersToUnits == 2.0f);
+    CHECK(hitDistanceParametersOf(info).A * first.metersToUnits == 3.0f); // the capture's, in world units
 
     const nrd::CommonSettings second = commonSettingsOf(info, 1);
     CHECK(second.accumulationMode == nrd::AccumulationMode::CONTINUE);
