@@ -98,7 +98,6 @@ std::vector<Common> scalarMisuses()
         {"splitScreen", [](CommonSettings& s) { s.splitScreen = 1.25f; }, "1.25"},
         {"splitScreen", [](CommonSettings& s) { s.splitScreen = kNan; }, "nan"},
         {"accumulationMode", [](CommonSettings& s) { s.accumulationMode = AccumulationMode(9); }, "9"},
-        {"enableValidation", [](CommonSettings& s) { s.enableValidation = true; }, "", Result::UNSUPPORTED},
     };
 }
 

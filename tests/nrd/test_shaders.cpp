@@ -192,6 +192,8 @@ TEST_CASE("constants lie at the same offsets in C++ and in SPIR-V", "[unit]")
         {"frustumPrev", offsetof(ReblurConstants, frustumPrev)},
         {"cameraDelta", offsetof(ReblurConstants, cameraDelta)},
         {"viewDirection", offsetof(ReblurConstants, viewDirection)},
+        {"cameraPosition", offsetof(ReblurConstants, cameraPosition)},
+        {"cameraJitter", offsetof(ReblurConstants, cameraJitter)},
         {"rotatorPrePass", offsetof(ReblurConstants, rotatorPrePass)},
         {"rotatorBlur", offsetof(ReblurConstants, rotatorBlur)},
         {"rotatorPostBlur", offsetof(ReblurConstants, rotatorPostBlur)},

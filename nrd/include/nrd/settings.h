@@ -57,7 +57,7 @@ struct CommonSettings
 
     bool isHistoryConfidenceAvailable = false;        // IN_DIFF_CONFIDENCE and IN_SPEC_CONFIDENCE are bound
     bool isDisocclusionThresholdMixAvailable = false; // IN_DISOCCLUSION_THRESHOLD_MIX is bound
-    bool enableValidation = false;                    // OUT_VALIDATION is bound
+    bool enableValidation = false;                    // OUT_VALIDATION is bound; REBLUR writes it
 };
 
 // Hit distance is divided by (A + viewZ * B) * mix(C, 1, spread(roughness)), see REBLUR_FrontEnd_GetNormHitDist.

@@ -39,6 +39,9 @@ void fillFrame(const Request& request, shared::ReblurConstants& g)
     g.frustumPrev = frame.frustumPrev;
     g.cameraDelta = frame.cameraDelta;
     g.viewDirection = frame.viewDirection;
+    g.cameraPosition = frame.cameraPosition;
+    g.cameraJitter = {common.cameraJitter[0], common.cameraJitter[1], common.cameraJitterPrev[0],
+                      common.cameraJitterPrev[1]};
     g.motionVectorScale = frame.motionVectorScale;
     g.rectSize = toVec2(common.rectSize);
     g.rectSizeInv = inverse(common.rectSize);
