@@ -40,7 +40,7 @@ struct Pass
     Shader shader = Shader::Count;
     FixedList<BoundSlot, 32> reads;
     FixedList<BoundSlot, 20> writes;
-    FixedList<SwitchRow, 6> switches;
+    FixedList<SwitchRow, 5> switches;
 };
 
 struct Program

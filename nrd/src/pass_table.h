@@ -222,7 +222,7 @@ struct PassRow
     FixedList<Slot, 12> writes; // bindings go on
     GroupSize group;
     Predicate runsIf;
-    FixedList<SwitchRow, 6> switches = {}; // each doubles the number of pipelines
+    FixedList<SwitchRow, 5> switches = {}; // each doubles the number of pipelines
     uint16_t gridFactor = 1;               // the grid covers ceil(rect / gridFactor)
     Having having = {};
 };

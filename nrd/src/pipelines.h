@@ -30,7 +30,7 @@ private:
         uint32_t textureNum = 0;
         uint32_t storageTextureNum = 0;
         bool hasConstants = true;
-        FixedList<SwitchRow, 6> switches;
+        FixedList<SwitchRow, 5> switches;
         uint32_t firstPipeline = 0;
     };
     uint16_t add(const Block& block);

@@ -111,7 +111,7 @@ float virtualAmount(float nVirtual, float nSurface)
 void showVirtualAmount(ivec2 pixel, float amount)
 {
     bool isShown = all(equal(pixel & (VIRTUAL_AMOUNT_STEP - 1), ivec2(VIRTUAL_AMOUNT_STEP / 2)));
-    if (kHasValidation && isShown) imageStore(gOut_VirtualAmount, pixel / VIRTUAL_AMOUNT_STEP, vec4(amount));
+    if (g.hasValidation != 0u && isShown) imageStore(gOut_VirtualAmount, pixel / VIRTUAL_AMOUNT_STEP, vec4(amount));
 }
 
 LobeResult accumulateSpecular(Surface s, SurfaceTrack surface)

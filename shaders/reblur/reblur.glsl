@@ -16,7 +16,6 @@ layout(constant_id = SPEC_HAS_MATERIAL_TEST) const bool kHasMaterialTest = false
 layout(constant_id = SPEC_HAS_CONFIDENCE) const bool kHasConfidence = false;
 layout(constant_id = SPEC_HAS_DISOCCLUSION_MIX) const bool kHasDisocclusionMix = false;
 layout(constant_id = SPEC_HAS_ANTI_FIREFLY) const bool kHasAntiFirefly = true;
-layout(constant_id = SPEC_HAS_VALIDATION) const bool kHasValidation = false;
 
 layout(set = SET_CONSTANTS, binding = BINDING_CONSTANTS, std140) uniform Constants { ReblurConstants g; };
 layout(set = SET_CONSTANTS, binding = BINDING_SAMPLERS) uniform sampler gNearestClamp;

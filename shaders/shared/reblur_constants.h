@@ -70,6 +70,7 @@ struct ReblurConstants
     uint isHistoryReset;      // 1: every history length is 0 in this frame
     uint isPrepassTrackingOnly;
     uint returnHistoryLength;
+    uint hasValidation;       // 1: OUT_VALIDATION is drawn
     uint isCutDetected;       // 1: the texture "Cut" holds the device's own opinion
     uint checkerboard;        // value of CheckerboardMode
     float checkerboardResolve;

@@ -147,6 +147,7 @@ std::vector<Reblur> filterMisuses()
         {"planeDistanceSensitivity", [](ReblurSettings& s) { s.planeDistanceSensitivity = 0.0f; }, "0"},
         {"fireflySuppressorMinRelativeScale", [](ReblurSettings& s) { s.fireflySuppressorMinRelativeScale = 4.0f; },
          "4"},
+        {"prePassMode", [](ReblurSettings& s) { s.prePassMode = PrePassMode(5); }, "5"},
         {"checkerboardMode", [](ReblurSettings& s) { s.checkerboardMode = CheckerboardMode(7); }, "7"},
         {"hitDistanceReconstructionMode",
          [](ReblurSettings& s) { s.hitDistanceReconstructionMode = HitDistanceReconstructionMode(9); }, "9"},

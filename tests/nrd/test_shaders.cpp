@@ -247,6 +247,7 @@ TEST_CASE("constants lie at the same offsets in C++ and in SPIR-V", "[unit]")
         {"isHistoryReset", offsetof(ReblurConstants, isHistoryReset)},
         {"isPrepassTrackingOnly", offsetof(ReblurConstants, isPrepassTrackingOnly)},
         {"returnHistoryLength", offsetof(ReblurConstants, returnHistoryLength)},
+        {"hasValidation", offsetof(ReblurConstants, hasValidation)},
         {"isCutDetected", offsetof(ReblurConstants, isCutDetected)},
         {"checkerboard", offsetof(ReblurConstants, checkerboard)},
         {"checkerboardResolve", offsetof(ReblurConstants, checkerboardResolve)},

@@ -100,7 +100,6 @@ constexpr SwitchRow kMaterialTest = {SPEC_HAS_MATERIAL_TEST, hasMaterialTest};
 constexpr SwitchRow kConfidence = {SPEC_HAS_CONFIDENCE, hasConfidence};
 constexpr SwitchRow kDisocclusionMix = {SPEC_HAS_DISOCCLUSION_MIX, hasDisocclusionMix};
 constexpr SwitchRow kAntiFirefly = {SPEC_HAS_ANTI_FIREFLY, hasAntiFirefly, kColor};
-constexpr SwitchRow kValidationSwitch = {SPEC_HAS_VALIDATION, hasValidation, kSpecular};
 
 constexpr ResourceType ViewZ = ResourceType::IN_VIEWZ;
 constexpr ResourceType NormalRoughness = ResourceType::IN_NORMAL_ROUGHNESS;
@@ -159,7 +158,7 @@ constexpr PassRow kPasses[] = {
       only(kSpecular, Track), only(kSpecular, VirtualAmount)},
      kGroup8x16,
      isDenoised,
-     {kPrePassSwitch, kStabilization, kMaterialTest, kConfidence, kDisocclusionMix, kValidationSwitch}},
+     {kPrePassSwitch, kStabilization, kMaterialTest, kConfidence, kDisocclusionMix}},
     {"History fix",
      kHistoryFix,
      {Tiles, ViewZ, NormalRoughness, Length, each(Scratch), FastTemp, only(kSpecularColor, Track)},
