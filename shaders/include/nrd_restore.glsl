@@ -10,6 +10,34 @@
 #ifndef NRD_RESTORE_GLSL
 #define NRD_RESTORE_GLSL
 
+// A pixel and four around it, left, right, up and down, in any order.
+struct NRD_Neighborhood
+{
+    vec3 normal; // of this frame, full detail
+    float viewZ;
+    vec3 neighborNormals[4];
+    vec4 neighborViewZ;
+};
+
+// Neither an edge of depth nor of normal. NaN in a depth fails the comparison, so it is an edge too.
+bool NRD_IsSameSurface(NRD_Neighborhood s, int neighbor, vec3 view)
+{
+    float NoV = clamp(abs(dot(s.normal, view)), 0.0, 1.0);
+    return abs(s.neighborViewZ[neighbor] - s.viewZ) <= 0.01 * abs(s.viewZ) / (0.95 * NoV + 0.05) &&
+           dot(s.neighborNormals[neighbor], s.normal) >= 0.01;
+}
+
+// Mean over what is the same surface: the reference normal below, for those who have no normal before normal mapping.
+vec3 NRD_GetReferenceNormal(NRD_Neighborhood s, vec3 view)
+{
+    vec3 sum = s.normal;
+    for (int i = 0; i < 4; i++)
+    {
+        if (NRD_IsSameSurface(s, i, view)) sum += s.neighborNormals[i];
+    }
+    return NRD_NormalizeOrZero(sum);
+}
+
 // Half to double: what is left of noise in the axis must not become sparkle.
 #define NRD_MAX_RESTORE_RATIO 2.0
 // Of the von Mises-Fisher lobe with a cosine lobe's mean cosine, 2/3.
@@ -28,7 +56,7 @@ float NRD_SG_Irradiance(vec3 light, vec3 normal)
     return max(0.25 + 0.5 * mean * c + 0.15625 * second * (3.0 * c * c - 1.0), 0.05);
 }
 
-// referenceNormal: unit, mean of the guide's normals around the pixel, or the normal before normal mapping.
+// referenceNormal: unit, the normal before normal mapping, or the mean of the guide's around the pixel.
 vec3 NRD_SG_RestoreDiffuse(NRD_SG sg, vec3 normal, vec3 referenceNormal)
 {
     // A record wider than the lobe itself has no light to be told from it.
@@ -43,8 +71,9 @@ vec3 NRD_SG_RestoreSpecular(NRD_SG sg, vec3 normal, vec3 referenceNormal, vec3 v
 {
     float r = clamp(roughness, 0.05, 1.0);
     float NoV = max(abs(dot(referenceNormal, view)), 0.1);
-    // GGX warped from half vectors to directions, times a cosine.
-    float lobe = min(0.5 / (r * r * r * r * NoV) + 2.0, sg.sharpness);
+    // Half of GGX warped from half vectors to directions, times a cosine: its long tail falls more slowly than a
+    // Gaussian with the same peak, and half has the least error in tests/shaders/test_restore.cpp.
+    float lobe = min(0.25 / (r * r * r * r * NoV) + 1.0, sg.sharpness);
     vec3 turn = (NRD_DominantDirection(normal, view, roughness) -
                  NRD_DominantDirection(referenceNormal, view, roughness)) * lobe;
     vec3 L = NRD_SG_ExtractDirection(sg);

@@ -101,8 +101,9 @@ void checkLayout(const Pass& pass, const ShaderModule& module)
         const bool isConstants = b.binding == BINDING_CONSTANTS;
         CHECK(b.kind == (isConstants ? BindingKind::UniformBuffer : BindingKind::Sampler));
     }
-    // A tile is one group, whatever its number of invocations.
-    const bool isTileGroup = pass.row->group.x == TILE_SIZE && module.localSize[0] < TILE_SIZE;
+    // A tile, and a whole grid of one, is one group, whatever its number of invocations.
+    const bool isTileGroup = (pass.row->group.x == TILE_SIZE && module.localSize[0] < TILE_SIZE) ||
+                             (pass.row->group.x == 1 && pass.row->gridFactor == kOneTexel);
     CHECK((isTileGroup || module.localSize[0] == pass.row->group.x));
     CHECK((isTileGroup || module.localSize[1] == pass.row->group.y));
 }

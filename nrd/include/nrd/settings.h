@@ -126,6 +126,15 @@ struct ReblurSettings
     bool enableReferenceAccumulation = false;
 };
 
+// History lengths should come from time: floor(seconds * fps + 0.5), at most 63, the longest history of REBLUR.
+// With frame generation fps is the rendered rate. Nothing sensible (NaN, negative) gives 0.
+inline uint32_t GetMaxAccumulatedFrameNum(float seconds, float fps)
+{
+    if (!(seconds > 0.0f) || !(fps > 0.0f)) return 0;
+    const float frameNum = seconds * fps + 0.5f;
+    return frameNum < 63.0f ? static_cast<uint32_t>(frameNum) : 63; // clamped before the cast: infinity has none
+}
+
 struct ReferenceSettings
 {
     uint32_t maxAccumulatedFrameNum = 120; // [0; 4095] frames, exact mean up to here, exponential beyond

@@ -195,8 +195,10 @@ constexpr SignalRow specular(ResourceType input, ResourceType output, Format for
 
 using Type = ResourceType;
 
-constexpr SignalRow kDiffuseRadiance = diffuse(Type::IN_DIFF_RADIANCE_HITDIST, Type::OUT_DIFF_RADIANCE_HITDIST, RGBA16_SFLOAT);
-constexpr SignalRow kSpecularRadiance = specular(Type::IN_SPEC_RADIANCE_HITDIST, Type::OUT_SPEC_RADIANCE_HITDIST, RGBA16_SFLOAT);
+constexpr SignalRow kDiffuseRadiance =
+    diffuse(Type::IN_DIFF_RADIANCE_HITDIST, Type::OUT_DIFF_RADIANCE_HITDIST, RGBA16_SFLOAT);
+constexpr SignalRow kSpecularRadiance =
+    specular(Type::IN_SPEC_RADIANCE_HITDIST, Type::OUT_SPEC_RADIANCE_HITDIST, RGBA16_SFLOAT);
 constexpr SignalRow kDiffuseHitDist = diffuse(Type::IN_DIFF_HITDIST, Type::OUT_DIFF_HITDIST, R16_UNORM);
 constexpr SignalRow kSpecularHitDist = specular(Type::IN_SPEC_HITDIST, Type::OUT_SPEC_HITDIST, R16_UNORM);
 constexpr SignalRow kDiffuseSh0 = diffuse(Type::IN_DIFF_SH0, Type::OUT_DIFF_SH0, RGBA16_SFLOAT);
@@ -204,7 +206,8 @@ constexpr SignalRow kSpecularSh0 = specular(Type::IN_SPEC_SH0, Type::OUT_SPEC_SH
 // Directions are kept relative to luma, so ten bits do and a change of luma leaves them alone.
 constexpr SignalRow kDiffuseSh1 = diffuse(Type::IN_DIFF_SH1, Type::OUT_DIFF_SH1, A2B10G10R10_UNORM_PACK32);
 constexpr SignalRow kSpecularSh1 = specular(Type::IN_SPEC_SH1, Type::OUT_SPEC_SH1, A2B10G10R10_UNORM_PACK32);
-constexpr SignalRow kDirection = diffuse(Type::IN_DIFF_DIRECTION_HITDIST, Type::OUT_DIFF_DIRECTION_HITDIST, RGBA16_SNORM);
+constexpr SignalRow kDirection =
+    diffuse(Type::IN_DIFF_DIRECTION_HITDIST, Type::OUT_DIFF_DIRECTION_HITDIST, RGBA16_SNORM);
 
 // The only place that knows which denoiser has which lobes and signals. In the order of the shader list.
 constexpr Variant kVariants[] = {
