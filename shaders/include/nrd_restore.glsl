@@ -1,16 +1,16 @@
 // Part of nrd_frontend.glsl: include that.
 //
-// Another resolve of the lobe record: puts back the dependence on the pixel's own normal that blurring took, relative to
-// the normals the blur averaged over. Where the two normals agree, the colour is returned as it is: no bias on smooth
-// surfaces, whatever the light.
+// Another resolve of the lobe record: puts back the dependence on the pixel's own normal that blurring took, relative
+// to the normals the blur averaged over. Where the two normals agree, the colour is returned as it is: no bias on
+// smooth surfaces, whatever the light.
 //
 // The record describes light times lobe. Both are taken for von Mises-Fisher lobes, whose product has the sum of their
-// vectors (sharpness * axis), so the light's vector is the record's minus the lobe's at the reference normal. Turning the
-// lobe to the pixel's normal and integrating again gives the ratio by which the colour changes.
+// vectors (sharpness * axis), so the light's vector is the record's minus the lobe's at the reference normal. Turning
+// the lobe to the pixel's normal and integrating again gives the ratio by which the colour changes.
 #ifndef NRD_RESTORE_GLSL
 #define NRD_RESTORE_GLSL
 
-// A pixel and four around it, left, right, up and down, in any order.
+// A pixel and four around it, left, right, up and down, in any order; a pixel or two away.
 struct NRD_Neighborhood
 {
     vec3 normal; // of this frame, full detail
@@ -27,13 +27,19 @@ bool NRD_IsSameSurface(NRD_Neighborhood s, int neighbor, vec3 view)
            dot(s.neighborNormals[neighbor], s.normal) >= 0.01;
 }
 
-// Mean over what is the same surface: the reference normal below, for those who have no normal before normal mapping.
-vec3 NRD_GetReferenceNormal(NRD_Neighborhood s, vec3 view)
+// How far a normal may be off, per roughness, for the denoiser to blur across: a little wider than REBLUR's default.
+#define NRD_REFERENCE_NORMAL_ANGLE 0.2
+
+// Mean of the normals that the denoiser blurred together: the reference below, for those who have no normal from before
+// normal mapping. Others must stay out: a corner's mean normal belongs to neither wall. roughness: 1 for diffuse.
+vec3 NRD_GetReferenceNormal(NRD_Neighborhood s, vec3 view, float roughness)
 {
+    float angle = NRD_REFERENCE_NORMAL_ANGLE * roughness;
     vec3 sum = s.normal;
     for (int i = 0; i < 4; i++)
     {
-        if (NRD_IsSameSurface(s, i, view)) sum += s.neighborNormals[i];
+        vec3 apart = s.neighborNormals[i] - s.normal; // its length is the angle, where acos has no digits
+        if (dot(apart, apart) <= angle * angle && NRD_IsSameSurface(s, i, view)) sum += s.neighborNormals[i];
     }
     return NRD_NormalizeOrZero(sum);
 }

@@ -52,6 +52,6 @@
 #define FN_CAVITY 111             // c.xyz N, c.w cavity, d.x light's cosine, d.y strength -> shadow, with defaults
 #define FN_REJITTER 112           // a diffuse c1, roughness; b specular c1; c V; d = N, viewZ; e to h neighbours' d
 #define FN_DOMINANT 113           // c.xyz N, c.w roughness, d.xyz V
-#define FN_REFERENCE_NORMAL 114   // c.xyz V, d = N, viewZ; e to h neighbours' d
+#define FN_REFERENCE_NORMAL 114   // c = V, roughness; d = N, viewZ; e to h neighbours' d
 
 #endif

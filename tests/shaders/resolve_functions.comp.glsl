@@ -57,7 +57,9 @@ Results evaluate(Arguments v)
         r.first.y = NRD_SG_CavityShadow(sg, v.c.xyz, v.c.w);
         break;
     case FN_REJITTER: r.first.xy = rejitter(v); break;
-    case FN_REFERENCE_NORMAL: r.first.xyz = NRD_GetReferenceNormal(neighborhood(v), v.c.xyz); break;
+    case FN_REFERENCE_NORMAL:
+        r.first.xyz = NRD_GetReferenceNormal(neighborhood(v), v.c.xyz, v.c.w);
+        break;
     case FN_DOMINANT: r.first.xyz = NRD_DominantDirection(v.c.xyz, v.d.xyz, v.c.w); break;
     }
     return r;

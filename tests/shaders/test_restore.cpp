@@ -82,49 +82,131 @@ struct Errors
     double colour, fixedLobe, restored; // mean relative errors
 };
 
-// A pixel whose normal is tilted away from its neighbours', which differ by half as much again.
-Errors measure(bool isDiffuse, double degrees)
+// What eight neighbours with normals within the given angle of the reference see, blurred into one record.
+Record blurredAround(std::mt19937& rng, Pixel p, Vec3d reference, double degrees, const std::vector<double>& light,
+                     const std::vector<Vec3d>& directions)
+{
+    std::uniform_real_distribution<double> unit(0.0, 1.0);
+    Record blurred;
+    for (int i = 0; i < 8; i++)
+    {
+        p.normal = tilted(rng, reference, unit(rng) * degrees);
+        const Record r = gather(p, directions, light);
+        blurred = {blurred.c0 + r.c0 / 8.0, sum(blurred.c1, scaled(r.c1, 1.0 / 8.0))};
+    }
+    return blurred;
+}
+
+struct Task
+{
+    std::vector<Arguments> resolve, restore; // one per pixel
+    std::vector<double> truth;
+};
+
+// Pixels whose normal is tilted away from the mean of their neighbours', which differ by about as much.
+Task makeTask(bool isDiffuse, double degrees)
 {
     std::mt19937 rng(31);
     std::uniform_real_distribution<double> unit(0.0, 1.0);
     const double roughness[] = {0.35, 0.5, 0.7, 1.0};
     const std::vector<Vec3d> directions = spiral(2000);
-    std::vector<Arguments> in, restore;
-    std::vector<double> truth;
-    while (truth.size() < kPixels)
+    Task task;
+    while (task.truth.size() < kPixels)
     {
         const std::vector<double> light = randomLight(rng, directions);
         const Vec3d reference = randomDirection(rng);
         Pixel p = {reference, tilted(rng, reference, 60.0 * unit(rng)), isDiffuse ? -1.0 : roughness[rng() % 4]};
-        Record blurred;
-        for (int i = 0; i < 8; i++)
-        {
-            p.normal = tilted(rng, reference, unit(rng) * (degrees + 5.0));
-            const Record r = gather(p, directions, light);
-            blurred = {blurred.c0 + r.c0 / 8.0, sum(blurred.c1, scaled(r.c1, 1.0 / 8.0))};
-        }
+        const Record r = blurredAround(rng, p, reference, degrees + 5.0, light, directions);
+        if (r.c0 < 1e-3) continue;
         p.normal = tilted(rng, reference, degrees);
-        if (blurred.c0 < 1e-3) continue;
-        truth.push_back(gather(p, directions, light).c0);
-        const double r = std::max(p.roughness, 0.0);
-        in.push_back({{float(blurred.c0), 0, 0, 0}, packed(blurred.c1), packed(p.normal, r), packed(p.view)});
-        restore.push_back(in.back());
-        (isDiffuse ? restore.back().d : restore.back().e) = packed(reference);
+        task.truth.push_back(gather(p, directions, light).c0);
+        task.resolve.push_back(
+            {{float(r.c0), 0, 0, 0}, packed(r.c1), packed(p.normal, std::max(p.roughness, 0.0)), packed(p.view)});
+        task.restore.push_back(task.resolve.back());
+        (isDiffuse ? task.restore.back().d : task.restore.back().e) = packed(reference);
     }
-    const auto fixedLobe = runFunction(isDiffuse ? FN_SG_DIFFUSE : FN_SG_SPECULAR, in);
-    const auto restored = runFunction(isDiffuse ? FN_RESTORE_DIFFUSE : FN_RESTORE_SPECULAR, restore);
+    return task;
+}
+
+Errors measure(bool isDiffuse, double degrees)
+{
+    const Task task = makeTask(isDiffuse, degrees);
+    const auto fixedLobe = runFunction(isDiffuse ? FN_SG_DIFFUSE : FN_SG_SPECULAR, task.resolve);
+    const auto restored = runFunction(isDiffuse ? FN_RESTORE_DIFFUSE : FN_RESTORE_SPECULAR, task.restore);
     Errors e{};
-    for (size_t i = 0; i < truth.size(); i++)
+    for (size_t i = 0; i < kPixels; i++)
     {
         // 1 bounds what a pixel that the light just misses adds: the mean is about the others.
-        const auto relative = [&](double y) { return std::min(std::abs(y - truth[i]) / truth[i], 1.0) / kPixels; };
-        e.colour += relative(in[i].a[0]);
+        const double truth = task.truth[i];
+        const auto relative = [&](double y) { return std::min(std::abs(y - truth) / truth, 1.0) / kPixels; };
+        e.colour += relative(task.resolve[i].a[0]);
         e.fixedLobe += relative(fixedLobe[i].first[0]);
         e.restored += relative(restored[i].first[0]);
     }
     return e;
 }
+
+double sharpnessOf(double mu)
+{
+    mu = std::min(mu, 0.999);
+    return mu * (3.0 - mu * mu) / (1.0 - mu * mu);
+}
+
+double irradiance(Vec3d light, Vec3d n)
+{
+    const double k = length(light), c = k > 0.0 ? dot(light, n) / k : 0.0;
+    const double mean = k > 1e-3 ? 1.0 / std::tanh(k) - 1.0 / k : k / 3.0;
+    const double second = k > 1e-3 ? 1.0 - 3.0 * mean / k : k * k / 15.0;
+    return std::max(0.25 + 0.5 * mean * c + 5.0 / 32.0 * second * (3.0 * c * c - 1.0), 0.05);
+}
+
+// Of a record with c0 = 1.
+double restoredDiffuse(Vec3d c1, Vec3d n, Vec3d reference)
+{
+    const double sharpness = sharpnessOf(length(c1)), mu = 2.0 / 3.0;
+    const double lobe = std::min(mu * (3.0 - mu * mu) / (1.0 - mu * mu), sharpness);
+    const Vec3d light = difference(scaled(normalized(c1), sharpness), scaled(reference, lobe));
+    return std::clamp(irradiance(light, n) / irradiance(light, reference), 0.5, 2.0);
+}
+
+double restoredSpecular(Vec3d c1, const Pixel& p, Vec3d reference)
+{
+    const double sharpness = sharpnessOf(length(c1)), m2 = std::pow(std::max(p.roughness, 0.05), 4);
+    const double nov = std::max(std::abs(dot(reference, p.view)), 0.1);
+    const double lobe = std::min(0.25 / (m2 * nov) + 1.0, sharpness);
+    const Vec3d turn =
+        difference(dominantDirection(p.normal, p.view, p.roughness), dominantDirection(reference, p.view, p.roughness));
+    const double d = length(sum(scaled(normalized(c1), sharpness), scaled(turn, lobe)));
+    const auto logSinhc = [](double x) { return x + std::log(x > 1e-9 ? -std::expm1(-2.0 * x) / x : 2.0); };
+    return std::exp(std::clamp(logSinhc(d) - logSinhc(sharpness), std::log(0.5), std::log(2.0)));
+}
 } // namespace
+
+TEST_CASE("restoring agrees with double precision", "[gpu]")
+{
+    std::mt19937 rng(33);
+    std::uniform_real_distribution<double> unit(0.0, 1.0);
+    std::vector<Arguments> diffuse, specular;
+    std::vector<std::array<double, 2>> expected;
+    for (int i = 0; i < 2000; i++)
+    {
+        const Vec3d view = randomDirection(rng), reference = tilted(rng, view, 80.0 * unit(rng));
+        const Pixel p = {tilted(rng, reference, 40.0 * unit(rng)), view, 0.05 + 0.95 * unit(rng)};
+        // A third about as wide as the lobe itself, where next to nothing is left for the light.
+        const double mu = i % 3 == 0 ? 2.0 / 3.0 + 0.02 * unit(rng) : unit(rng);
+        const Vec3d c1 = scaled(i % 3 == 0 ? tilted(rng, reference, unit(rng)) : randomDirection(rng), mu);
+        diffuse.push_back({Vec4{1, 0, 0, 0}, packed(c1), packed(p.normal), packed(reference)});
+        specular.push_back(
+            {Vec4{1, 0, 0, 0}, packed(c1), packed(p.normal, p.roughness), packed(view), packed(reference)});
+        expected.push_back({restoredDiffuse(c1, p.normal, reference), restoredSpecular(c1, p, reference)});
+    }
+    const auto d = runFunction(FN_RESTORE_DIFFUSE, diffuse), s = runFunction(FN_RESTORE_SPECULAR, specular);
+    for (size_t i = 0; i < expected.size(); i++)
+    {
+        CHECK(d[i].first[0] == Approx(expected[i][0]).epsilon(2e-4));
+        CHECK(s[i].first[0] == Approx(expected[i][1]).epsilon(2e-3)); // sharpness 2000 from floats of mean cosine
+    }
+}
 
 TEST_CASE("restoring a smooth surface's lobe changes nothing, whatever the light", "[gpu]")
 {
@@ -173,17 +255,25 @@ TEST_CASE("restoring the specular normal lowers the error and beats the fixed lo
     }
 }
 
-TEST_CASE("the reference normal is the mean over the same surface", "[gpu]")
+TEST_CASE("the reference normal is the mean over the normals that are blurred together", "[gpu]")
 {
-    const Vec4 z = {0, 0, 1, 10}, x = {0.6f, 0, 0.8f, 10}, minusX = {-0.6f, 0, 0.8f, 10};
-    const auto mean = [&](Vec4 left, Vec4 right) {
-        return runFunction(FN_REFERENCE_NORMAL, {Vec4{}, Vec4{}, Vec4{0, 0, 1, 0}, z, left, right, z, z}).first;
+    const auto leaning = [](double angle, double viewZ) {
+        return packed({std::sin(angle), 0.0, std::cos(angle)}, viewZ);
     };
-    CHECK(mean(x, minusX)[0] == Approx(0.0).margin(1e-6));
-    const Vec3d expected = normalized({0.6, 0.0, 4.8});
-    CHECK(mean(x, z)[0] == Approx(expected[0]).margin(1e-6));
-    CHECK(mean(x, z)[2] == Approx(expected[2]).margin(1e-6));
-    const float nan = std::numeric_limits<float>::quiet_NaN();
-    for (const Vec4& edge : {Vec4{0.6f, 0, 0.8f, 11}, Vec4{0.6f, 0, 0.8f, nan}, Vec4{0.6f, 0, -0.8f, 10}})
-        CHECK(mean(edge, z)[0] == Approx(0.0).margin(1e-6));
+    const Vec4 z = leaning(0.0, 10.0);
+    const auto lean = [&](Vec4 left, Vec4 right, float roughness)
+    {
+        const Arguments in = {{}, {}, {0, 0, 1, roughness}, z, left, right, z, z};
+        return double(runFunction(FN_REFERENCE_NORMAL, in).first[0]);
+    };
+    CHECK(lean(leaning(0.1, 10.0), leaning(-0.1, 10.0), 1.0f) == Approx(0.0).margin(1e-6));
+    const double mean = std::atan2(std::sin(0.1), std::cos(0.1) + 4.0);
+    CHECK(lean(leaning(0.1, 10.0), z, 1.0f) == Approx(std::sin(mean)).margin(1e-6));
+    // The tolerance is 0.2 per roughness, down to mirrors.
+    for (const double roughness : {1.0, 0.3, 0.03})
+        for (const double share : {0.98, 1.02})
+            CHECK((lean(leaning(0.2 * roughness * share, 10.0), z, float(roughness)) > 1e-4) == (share < 1.0));
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    for (const Vec4& edge : {leaning(0.1, 11.0), leaning(0.1, nan), leaning(kPi, 10.0)})
+        CHECK(lean(edge, z, 1.0f) == Approx(0.0).margin(1e-6));
 }
