@@ -18,6 +18,10 @@ template <> struct ModeNames<nrd::AccumulationMode>
 {
     static constexpr const char* names[] = {"CONTINUE", "RESTART", "CLEAR_AND_RESTART"};
 };
+template <> struct ModeNames<nrd::PrePassMode>
+{
+    static constexpr const char* names[] = {"OFF", "SIMPLE"};
+};
 template <> struct ModeNames<nrd::CheckerboardMode>
 {
     static constexpr const char* names[] = {"OFF", "BLACK", "WHITE"};
@@ -86,6 +90,7 @@ std::vector<SettingField> reblurFields(nrd::ReblurSettings& s)
         field("historyFixBasePixelStride", s.historyFixBasePixelStride),
         field("historyFixAlternatePixelStride", s.historyFixAlternatePixelStride),
         field("fastHistoryClampingSigmaScale", s.fastHistoryClampingSigmaScale),
+        field("prePassMode", s.prePassMode),
         field("diffusePrepassBlurRadius", s.diffusePrepassBlurRadius),
         field("specularPrepassBlurRadius", s.specularPrepassBlurRadius),
         field("minHitDistanceWeight", s.minHitDistanceWeight),
