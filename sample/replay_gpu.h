@@ -41,7 +41,7 @@ struct ReplayedFrame
 {
     Signals signals;
     Signals extracted; // SH that are resolved: the same with the colours before the resolve; else nothing
-    Picture overlay;   // RGB in [0; 1] for the screen; empty when not wanted or not drawn
+    Picture overlay;   // RGBA in [0; 1] for the screen; empty when not wanted or not drawn
 };
 
 // Frames go in one after the other, from 0 on. Throws engine::Error, SettingError and FileError.

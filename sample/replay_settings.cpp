@@ -127,6 +127,7 @@ template <class T> const char* parseValue(const std::string& text, T& value)
     }
     else if constexpr (std::is_enum_v<T>)
     {
+        static_assert(std::size(ModeNames<T>::names) == static_cast<size_t>(T::MAX_NUM));
         static const std::string expected = []
         {
             std::string list = "one of";
