@@ -24,7 +24,7 @@ public:
     void look(const Frame& frame, const Frame*) override
     {
         if (!(frame.input().*m_lobe.image)) return;
-        std::vector<double> stored, relative;
+        std::vector<double> stored;
         forSamples(frame,
                    [&](int x, int y)
                    {
@@ -32,14 +32,14 @@ public:
                        if (!(value > 0.0) || !std::isfinite(value)) return; // no sample here
                        stored.push_back(value);
                        m_tooLong.add(value > 1.001);
-                       if (value < 0.99) relative.push_back(distanceOverPrimary(frame, x, y, value));
+                       if (value >= kSaturated) return;
+                       const double ratio = distanceOverDepth(frame, x, y, value);
+                       m_shorter.add(ratio < kSurely);
+                       m_touching.add(ratio < kTouching);
                    });
         if (stored.size() < kLeastSamples) return;
         m_low.add(quantile(stored, 0.05));
         m_high.add(quantile(stored, 0.95));
-        if (relative.size() < kLeastSamples / 2) return;
-        m_nearest.add(quantile(relative, 0.002));
-        m_near.add(quantile(relative, 0.03));
     }
 
     void report(Reports& reports) const override
@@ -50,32 +50,41 @@ public:
                 text("%s has hit distances above 1 in %.1f %% of the pixels: divide them by "
                      "REBLUR_FrontEnd_GetNormHitDist with the parameters of ReblurSettings",
                      slot, 100.0 * m_tooLong.value()));
-        if (isConstant())
-            add(reports, DoctorRule::HIT_DISTANCE_CONSTANT, m_high.value(),
-                text("%s has the hit distance %.3g everywhere: store the distance from the surface to what the first "
-                     "bounce hits, normalised by REBLUR_FrontEnd_GetNormHitDist",
-                     slot, m_high.value()));
         // Something always lies closer to a surface than the camera does, but for paths that start at the camera.
-        else if (m_nearest.value() > kSurely && m_near.value() < kTouching)
-            add(reports, DoctorRule::HIT_DISTANCE_PRIMARY, m_nearest.value(),
-                text("no hit distance of %s is shorter than the way from the camera to the surface (the shortest ones "
-                     "are %.2f of it): measure from the primary hit on",
-                     slot, m_nearest.value()));
+        if (m_shorter.total > kLeastSamples && m_shorter.value() < kRarely && m_touching.value() > kSometimes)
+            add(reports, DoctorRule::HIT_DISTANCE_PRIMARY, m_shorter.value(),
+                text("only %.2f %% of the hit distances of %s are shorter than the way from the camera to the surface, "
+                     "and %.0f %% just longer: measure from the primary hit on",
+                     100.0 * m_shorter.value(), slot, 100.0 * m_touching.value()));
+        else if (m_high.value() - m_low.value() <= kSame * m_high.value())
+            reportConstant(reports);
     }
 
 private:
     static constexpr size_t kLeastSamples = 300; // in a frame
-    static constexpr double kSurely = 0.97;      // hit distances are rounded to half floats
-    static constexpr double kTouching = 1.5;     // walls that meet give distances down to 0 beyond the primary one
+    static constexpr double kSaturated = 0.99;   // of the stored value, which ends at 1
+    static constexpr double kSurely = 0.97;      // of the depth; hit distances are rounded to half floats
+    static constexpr double kRarely = 0.002;
+    static constexpr double kTouching = 1.5; // of the depth: walls that meet give distances down to 0 beyond the camera's
+    static constexpr double kSometimes = 0.03;
+    static constexpr double kSame = 2e-3;
 
-    // A specular lobe that only sees sky is 1 everywhere; a diffuse one touches something somewhere.
-    bool isConstant() const
+    void reportConstant(Reports& reports) const
     {
-        const bool isSame = m_high.value() - m_low.value() <= 2e-3 * m_high.value();
-        return isSame && (m_lobe.isDiffuse || m_high.value() < 0.99);
+        const char* const slot = toString(m_lobe.slot);
+        if (m_high.value() < kSaturated)
+            add(reports, DoctorRule::HIT_DISTANCE_CONSTANT, m_high.value(),
+                text("%s has the hit distance %.3g everywhere: store the distance from the surface to what the first "
+                     "bounce hits, normalised by REBLUR_FrontEnd_GetNormHitDist",
+                     slot, m_high.value()));
+        else if (m_lobe.isDiffuse) // a specular lobe may see nothing but sky; a diffuse one touches something somewhere
+            add(reports, DoctorRule::HIT_DISTANCE_CONSTANT, m_high.value(),
+                text("%s has the hit distance 1 everywhere, which stands for all that is long: measure from the primary "
+                     "hit on, not from the camera, and choose hitDistanceParameters A and B in the scene's units",
+                     slot));
     }
 
-    double distanceOverPrimary(const Frame& frame, int x, int y, double value) const
+    double distanceOverDepth(const Frame& frame, int x, int y, double value) const
     {
         const bool hasRoughness = frame.input().normalRoughness != nullptr;
         const double roughness = m_lobe.isDiffuse || !hasRoughness ? 1.0 : frame.roughness(x, y);
@@ -91,8 +100,9 @@ private:
 
     Lobe m_lobe;
     Share m_tooLong;
-    Series m_low, m_high;     // of the stored values
-    Series m_nearest, m_near; // over the distance to the camera
+    Series m_low, m_high; // of the stored values
+    Share m_shorter;      // than the depth, of those that end somewhere
+    Share m_touching;     // short but for that
 };
 } // namespace
 

@@ -7,9 +7,9 @@ namespace nrd::doctor
 {
 namespace
 {
-constexpr double kQuantile = 0.7;      // a camera that only tilts leaves many view-space normals as they are
 constexpr double kLeastAngle = 4.0;    // degrees
 constexpr double kClearly = 1.0 / 3.0; // how much smaller the error of a better hypothesis is
+constexpr double kMostAngle = 60.0;    // degrees; what is farther off is wrong, no matter how far
 constexpr double kToDegrees = 57.29577951308232;
 constexpr size_t kLeastSamples = 300; // in a frame
 
@@ -111,7 +111,24 @@ Vec3 toWorld(Space space, const Vec3& n, const Camera& camera)
     return n;
 }
 
-double angle(const Vec3& a, const Vec3& b) { return kToDegrees * std::atan2(length(cross(a, b)), dot(a, b)); }
+double angle(const Vec3& a, const Vec3& b)
+{
+    return std::min(kToDegrees * std::atan2(length(cross(a, b)), dot(a, b)), kMostAngle);
+}
+
+// A mean, since some faults leave most normals as they are: a flipped axis, the view space of a camera that only tilts.
+struct Mean
+{
+    double sum = 0.0;
+    size_t count = 0;
+    void add(double value)
+    {
+        if (!std::isfinite(value)) return;
+        sum += value;
+        count++;
+    }
+    double value() const { return count < kLeastSamples ? std::nan("") : sum / static_cast<double>(count); }
+};
 
 class NormalCheck final : public Check
 {
@@ -120,7 +137,7 @@ public:
     {
         if (!frame.input().normalRoughness) return;
         const bool isOctahedral = frame.input().normalEncoding == NormalEncoding::R10_G10_B10_A2_UNORM;
-        std::array<std::vector<double>, kHypothesisCount> angles;
+        std::array<Mean, kHypothesisCount> angles;
         Share outside;
         forSamples(frame,
                    [&](int x, int y)
@@ -132,8 +149,7 @@ public:
                        if (expected) addAngles(angles, frame, texel, *expected);
                    });
         if (isOctahedral) m_outside.add(outside.value());
-        if (angles[0].size() < kLeastSamples) return;
-        for (size_t i = 0; i < kHypothesisCount; i++) m_angles[i].add(quantile(angles[i], kQuantile));
+        for (size_t i = 0; i < kHypothesisCount; i++) m_angles[i].add(angles[i].value());
     }
 
     void report(Reports& reports) const override
@@ -164,14 +180,13 @@ private:
         return std::abs(x) + std::abs(y) > 1.0 + kRounding;
     }
 
-    static void addAngles(std::array<std::vector<double>, kHypothesisCount>& angles, const Frame& frame,
+    static void addAngles(std::array<Mean, kHypothesisCount>& angles, const Frame& frame,
                           const float* texel, const Vec3& expected)
     {
         for (size_t i = 0; i < kHypothesisCount; i++)
         {
             const Vec3 n = decode(kHypotheses[i].code, texel, frame.input().normalEncoding);
-            const double error = angle(toWorld(kHypotheses[i].space, normalize(n), frame.camera()), expected);
-            if (std::isfinite(error)) angles[i].push_back(error);
+            angles[i].add(angle(toWorld(kHypotheses[i].space, normalize(n), frame.camera()), expected));
         }
     }
 
@@ -194,14 +209,14 @@ public:
         if (!frame.input().normalRoughness) return;
         const auto angleUnder = [&](auto&& depth)
         {
-            std::vector<double> angles;
+            Mean angles;
             forSamples(frame,
                        [&](int x, int y)
                        {
                            const std::optional<Vec3> expected = depthNormal(frame, x, y, depth);
-                           if (expected) angles.push_back(angle(frame.normal(x, y), *expected));
+                           if (expected) angles.add(angle(frame.normal(x, y), *expected));
                        });
-            return angles.size() < kLeastSamples ? std::nan("") : quantile(angles, kQuantile);
+            return angles.value();
         };
         m_linear.add(angleUnder([&](int x, int y) { return frame.viewZ(x, y); }));
         m_distance.add(angleUnder([&](int x, int y) { return viewZOfDistance(frame, x, y); }));
@@ -218,13 +233,14 @@ public:
         const double given = m_linear.value();
         const bool isDistance = !(m_buffer.value() < m_distance.value());
         const double best = isDistance ? m_distance.value() : m_buffer.value();
-        // Without any smooth surface under the given depth there is nothing to beat but the right angle.
-        if (!(best < kClearly * (std::isfinite(given) ? given : 90.0)) || given <= kLeastBend) return;
+        // Without any smooth surface under the given depth there is nothing to beat.
+        const double beaten = std::isfinite(given) ? given : kMostAngle;
+        if (!(best < kClearly * beaten) || beaten <= kLeastBend) return;
         reports.push_back(
-            {DoctorRule::VIEWZ_ENCODING, FindingSeverity::FAULT, ResourceType::IN_VIEWZ, given,
+            {DoctorRule::VIEWZ_ENCODING, FindingSeverity::FAULT, ResourceType::IN_VIEWZ, beaten,
              text("the surfaces of IN_VIEWZ are off the normals by %.0f degrees; they fit to %.1f degrees if it holds "
                   "%s: store linear view depth",
-                  std::isfinite(given) ? given : 90.0, best,
+                  beaten, best,
                   isDistance ? "the distance to the camera" : "the values of the depth buffer")});
     }
 

@@ -51,6 +51,40 @@ Checks makeChecks()
     return checks;
 }
 
+// What follows from one fault is no second one: a rule rests when another has found what it builds upon to be wrong.
+struct Dependence
+{
+    DoctorRule rule;
+    std::vector<DoctorRule> foundations;
+};
+const std::vector<Dependence>& dependences()
+{
+    using R = DoctorRule;
+    static const std::vector<Dependence> kDependences = {
+        {R::SKY_IN_RANGE, {R::VIEWZ_ENCODING}},
+        {R::NORMAL_ENCODING, {R::VIEWZ_ENCODING}},
+        {R::NORMAL_SPACE, {R::VIEWZ_ENCODING}},
+        {R::ROUGHNESS_ENCODING, {R::VIEWZ_ENCODING, R::NORMAL_ENCODING, R::NORMAL_SPACE}},
+        {R::MOTION, {R::VIEWZ_ENCODING}},
+        {R::MOTION_DEPTH, {R::VIEWZ_ENCODING}},
+        {R::JITTER_IN_MOTION, {R::VIEWZ_ENCODING, R::JITTER_IN_MATRIX}},
+        {R::HIT_DISTANCE_PRIMARY, {R::VIEWZ_ENCODING, R::NORMAL_ENCODING, R::HIT_DISTANCE_SCALE}},
+        {R::HIT_DISTANCE_CONSTANT, {R::HIT_DISTANCE_SCALE}},
+        {R::ALBEDO_IN_RADIANCE, {R::VIEWZ_ENCODING, R::NORMAL_ENCODING}},
+    };
+    return kDependences;
+}
+
+bool isFounded(const Report& report, const Reports& all)
+{
+    for (const Dependence& dependence : dependences())
+        for (const DoctorRule foundation : dependence.foundations)
+            if (dependence.rule == report.rule &&
+                std::any_of(all.begin(), all.end(), [&](const Report& r) { return r.rule == foundation; }))
+                return false;
+    return true;
+}
+
 bool isNextOf(const Frame& frame, const Frame& before)
 {
     const CommonSettings& a = before.common();
@@ -85,7 +119,10 @@ struct InputDoctor::Impl
     {
         reports.clear();
         findings.clear();
-        for (const std::unique_ptr<doctor::Check>& check : checks) check->report(reports);
+        doctor::Reports all;
+        for (const std::unique_ptr<doctor::Check>& check : checks) check->report(all);
+        std::copy_if(all.begin(), all.end(), std::back_inserter(reports),
+                     [&](const doctor::Report& report) { return doctor::isFounded(report, all); });
         std::stable_sort(reports.begin(), reports.end(),
                          [](const doctor::Report& a, const doctor::Report& b) { return a.severity > b.severity; });
         for (const doctor::Report& report : reports)
