@@ -46,10 +46,6 @@ engine::ComputePipeline makePipeline(const engine::Device& device, replay::Shade
 
 template <class T> std::span<const std::byte> bytesOf(const T& value) { return std::as_bytes(std::span(&value, 1)); }
 
-nrd::NrdImageState toNrd(const engine::ImageState& state) { return {state.layout, state.access, state.stage}; }
-
-engine::ImageState fromNrd(const nrd::NrdImageState& state) { return {state.layout, state.access, state.stages}; }
-
 double median(std::vector<double> values)
 {
     if (values.empty()) return 0.0;
@@ -161,6 +157,19 @@ void ReplayGpu::createSlots(const ReplayGpuDesc& desc)
     }
 }
 
+nrd::NrdUserImage ReplayGpu::userImage(const engine::Image& image)
+{
+    const engine::ImageDesc& desc = image.desc();
+    const engine::ImageState& state = image.state;
+    return {image.handle(), desc.format, desc.width, desc.height, desc.usage, 0,
+            {state.layout, state.access, state.stage}};
+}
+
+void ReplayGpu::setState(engine::Image& image, const nrd::NrdUserImage& user)
+{
+    image.state = {user.state.layout, user.state.access, user.state.stages};
+}
+
 ReplaySettings ReplayGpu::settingsOfFrame() const
 {
     ReplaySettings settings;
@@ -201,14 +210,9 @@ void ReplayGpu::recordUnpack(VkCommandBuffer cmd, Slot& slot)
 
 void ReplayGpu::recordDenoise(VkCommandBuffer cmd)
 {
-    for (Slot& slot : m_slots)
-    {
-        const engine::ImageDesc& desc = slot.image.desc();
-        m_pool[slot.row.type] = {slot.image.handle(),    desc.format, desc.width, desc.height, desc.usage, 0,
-                                 toNrd(slot.image.state)};
-    }
+    for (Slot& slot : m_slots) m_pool[slot.row.type] = userImage(slot.image);
     check(m_integration.Denoise(cmd, &kIdentifier, 1, m_pool), "denoise");
-    for (Slot& slot : m_slots) slot.image.state = fromNrd(m_pool[slot.row.type].state);
+    for (Slot& slot : m_slots) setState(slot.image, m_pool[slot.row.type]);
 }
 
 void ReplayGpu::record(VkCommandBuffer cmd, const ReplaySettings& settings, bool isWanted)

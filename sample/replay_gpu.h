@@ -36,6 +36,9 @@ public:
     // back. Sky pixels, which a denoiser does not write, are 0; their hit distance is that of a miss.
     Signals denoise(const Planes& frame, bool isWanted);
 
+    // Shows the next frame to the doctor instead of denoising it; what it has found so far, valid until the next call.
+    std::vector<nrd::Finding> diagnose(const Planes& frame);
+
     // Medians over the frames from `firstFrame` on; call after the last frame.
     void reportTimes(ReplayReport& report, size_t firstFrame);
     ReplayReport::Memory memory() const;
@@ -60,6 +63,9 @@ private:
     void recordPack(VkCommandBuffer cmd, Slot& slot, const nrd::HitDistanceParameters& parameters);
     void recordUnpack(VkCommandBuffer cmd, Slot& slot);
     void recordDenoise(VkCommandBuffer cmd);
+    void recordDiagnosis(VkCommandBuffer cmd, const ReplaySettings& settings, nrd::NrdDiagnosisImages& extra);
+    static nrd::NrdUserImage userImage(const engine::Image& image);
+    static void setState(engine::Image& image, const nrd::NrdUserImage& user);
     Signals readSignals(const Planes& frame);
     void collectTimes();
     void check(nrd::Result result, const char* action) const;
@@ -72,6 +78,7 @@ private:
     engine::ComputePipeline m_pack;
     engine::ComputePipeline m_unpack;
     std::map<Layer, engine::Image> m_layers;
+    std::map<std::string, engine::Image> m_extras; // that only the doctor looks at
     std::vector<Slot> m_slots;
     nrd::NrdUserPool m_pool;
     nrd::NrdIntegration m_integration; // after what it borrows, so that it goes first
