@@ -32,6 +32,8 @@ public:
                        if (!(value > 0.0) || !std::isfinite(value)) return; // no sample here
                        stored.push_back(value);
                        m_tooLong.add(value > 1.001);
+                       m_ended.add(value < kSaturated);
+                       if (m_lobe.isDiffuse) m_corners.add(isCorner(frame, x, y));
                        if (value >= kSaturated) return;
                        const double ratio = distanceOverDepth(frame, x, y, value);
                        m_shorter.add(ratio < kSurely);
@@ -68,6 +70,8 @@ private:
     static constexpr double kTouching = 1.5; // of the depth: walls that meet give distances down to 0 beyond the camera's
     static constexpr double kSometimes = 0.03;
     static constexpr double kSame = 2e-3;
+    static constexpr double kHardly = 1e-3;
+    static constexpr double kManyCorners = 0.01; // otherwise one convex body may float in the sky
 
     void reportConstant(Reports& reports) const
     {
@@ -77,11 +81,28 @@ private:
                 text("%s has the hit distance %.3g everywhere: store the distance from the surface to what the first "
                      "bounce hits, normalised by REBLUR_FrontEnd_GetNormHitDist",
                      slot, m_high.value()));
-        else if (m_lobe.isDiffuse) // a specular lobe may see nothing but sky; a diffuse one touches something somewhere
+        else if (m_ended.value() < kHardly && m_corners.value() > kManyCorners)
             add(reports, DoctorRule::HIT_DISTANCE_CONSTANT, m_high.value(),
                 text("%s has the hit distance 1 everywhere, which stands for all that is long: measure from the primary "
                      "hit on, not from the camera, and choose hitDistanceParameters A and B in the scene's units",
                      slot));
+    }
+
+    // Whether a surface near it in the picture stands in the way of what the pixel sees, well within the range.
+    bool isCorner(const Frame& frame, int x, int y) const
+    {
+        constexpr int kSteps[][2] = {{-24, 0}, {24, 0}, {0, -24}, {0, 24}, {-8, 0}, {8, 0}, {0, -8}, {0, 8}};
+        if (!frame.input().normalRoughness) return false;
+        const Vec3 position = frame.position(x, y), normal = frame.normal(x, y);
+        const double range = hitDistanceRange(frame.viewZ(x, y), frame.input().hitDistanceParameters, 1.0);
+        for (const auto& [dx, dy] : kSteps)
+        {
+            if (!frame.contains(x + dx, y + dy) || !frame.isSurface(x + dx, y + dy)) continue;
+            const Vec3 way = frame.position(x + dx, y + dy) - position;
+            const double distance = length(way);
+            if (distance < 0.5 * range && dot(normal, way) > 0.3 * distance) return true;
+        }
+        return false;
     }
 
     double distanceOverDepth(const Frame& frame, int x, int y, double value) const
@@ -101,6 +122,8 @@ private:
     Lobe m_lobe;
     Share m_tooLong;
     Series m_low, m_high; // of the stored values
+    Share m_ended;        // before the longest distance that is kept
+    Share m_corners;      // pixels that see another surface nearby
     Share m_shorter;      // than the depth, of those that end somewhere
     Share m_touching;     // short but for that
 };

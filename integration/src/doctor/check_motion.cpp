@@ -51,9 +51,12 @@ public:
         if (m_candidates.empty()) return;
         const size_t best = m_still.best(kTiePixels);
         const double fit = best == 0 ? 0.0 : m_still.errors[best].value();
-        if (best != 0 && m_still.given() > kLeastPixels && fit < kClearly * m_still.given())
+        const bool isJitter = m_candidates[best].jitter != 0.0;
+        // A reading must tell where the camera's motion took the pixels: one that shrinks all vectors to nothing only
+        // fits as long as most of the picture stays in place.
+        const bool isTelling = isJitter || fit < kClearly * m_way.value();
+        if (best != 0 && isTelling && m_still.given() > kLeastPixels && fit < kClearly * m_still.given())
         {
-            const bool isJitter = m_candidates[best].jitter != 0.0;
             const std::string cure =
                 isJitter ? "holds the jitter's change; compute it with matrices without jitter"
                          : describe(m_candidates[best], m_candidates[0].isWorldSpace);
@@ -76,10 +79,13 @@ private:
     void lookAtStill(const MotionQuery& query)
     {
         std::vector<std::vector<double>> errors(m_candidates.size());
+        std::vector<double> ways;
         forSamples(query.frame,
                    [&](int x, int y)
                    {
                        const Camera::Pixel still = query.still(x, y);
+                       const Camera::Pixel here = {query.frame.sampleU(x), query.frame.sampleV(y), 0.0};
+                       if (isFinite({still.u, still.v, still.z})) ways.push_back(query.pixelsBetween(still, here));
                        for (size_t i = 0; i < m_candidates.size(); i++)
                        {
                            const double error = query.pixelsBetween(query.moved(m_candidates[i], x, y), still);
@@ -90,6 +96,7 @@ private:
         std::vector<double> medians;
         for (std::vector<double>& values : errors) medians.push_back(median(std::move(values)));
         m_still.add(medians);
+        m_way.add(median(std::move(ways)));
     }
 
     // Pixels that by their vectors move on their own, if those are read as said.
@@ -127,6 +134,7 @@ private:
 
     std::vector<MotionCandidate> m_candidates; // of the latest frame; their order never changes
     Scores m_still;                            // median distance in pixels
+    Series m_way;                              // median pixels that the camera moves what stands still
     Scores m_moving;                           // mean mismatch of depths
 };
 

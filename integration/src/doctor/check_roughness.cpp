@@ -1,6 +1,7 @@
 // Roughness against the directions that the specular paths took: microfacet normals spread as GGX of that roughness
 // says, so that the likelihood of what was seen tells which encoding was meant.
 #include "check.h"
+#include "ggx.h"
 
 namespace nrd::doctor
 {
@@ -23,42 +24,26 @@ constexpr Hypothesis kHypotheses[] = {
 };
 constexpr size_t kHypothesisCount = std::size(kHypotheses);
 
-struct Sample
-{
-    double cosView = 0.0;   // normal and camera
-    double cosHalf = 0.0;   // normal and microfacet normal
-    double sin2Half = 0.0;  // squared sine of that angle, which near 0 a cosine does not tell
-    double roughness = 0.0; // as given
-};
-
-// Logarithm of the density of visible normals (Heitz 2014), but for what does not depend on roughness.
-double logDensity(const Sample& sample, double roughness)
-{
-    const double alpha = std::max(roughness * roughness, 4e-3); // below it the normal's rounding decides
-    const double a2 = alpha * alpha;
-    const double spread = sample.sin2Half / a2 + sample.cosHalf * sample.cosHalf;
-    const double tan2 = 1.0 / (sample.cosView * sample.cosView) - 1.0;
-    const double masking = 2.0 / (1.0 + std::sqrt(1.0 + a2 * tan2));
-    return std::log(masking) - std::log(a2) - 2.0 * std::log(spread);
-}
-
 class RoughnessCheck final : public Check
 {
 public:
     void look(const Frame& frame, const Frame*) override
     {
         if (!frame.input().normalRoughness || !frame.input().specularDirection) return;
+        const Ggx& ggx = Ggx::get();
         double sums[kHypothesisCount] = {};
         size_t count = 0;
         forSamples(frame,
                    [&](int x, int y)
                    {
-                       Sample sample;
-                       if (!findSample(frame, x, y, sample)) return;
-                       const double given = logDensity(sample, sample.roughness);
+                       HalfVector half;
+                       if (!findHalfVector(frame, x, y, half)) return;
+                       const double roughness = frame.roughness(x, y);
+                       if (!(roughness > 0.02) || roughness > 0.97) return; // every encoding says the same
+                       const double given = ggx.logDensity(half, roughness);
                        for (size_t i = 1; i < kHypothesisCount; i++)
                        {
-                           const double gain = logDensity(sample, kHypotheses[i].meant(sample.roughness)) - given;
+                           const double gain = ggx.logDensity(half, kHypotheses[i].meant(roughness)) - given;
                            sums[i] += std::clamp(gain, -kMostGain, kMostGain); // one outlier decides nothing
                        }
                        count++;
@@ -86,17 +71,16 @@ private:
     static constexpr double kMostGain = 3.0;
     static constexpr double kLeastGain = 0.05;
 
-    static bool findSample(const Frame& frame, int x, int y, Sample& sample)
+    static bool findHalfVector(const Frame& frame, int x, int y, HalfVector& half)
     {
         const Vec3 direction = toVec3(frame.signal(frame.input().specularDirection, x, y));
         if (!(length(direction) > 0.5)) return false; // no specular path here
         const Vec3 normal = frame.normal(x, y);
         const Vec3 toCamera = frame.camera().toCamera(frame.position(x, y));
-        const Vec3 half = normalize(normalize(direction) + toCamera);
-        const double sine = length(cross(normal, half));
-        sample = {dot(normal, toCamera), dot(normal, half), sine * sine, frame.roughness(x, y)};
-        const bool isTelling = sample.roughness > 0.02 && sample.roughness < 0.97;
-        return isTelling && sample.cosView > 0.1 && dot(normal, direction) > 0.0 && sample.cosHalf > 0.0;
+        const Vec3 middle = normalize(normalize(direction) + toCamera);
+        const double sine = length(cross(normal, middle));
+        half = {dot(normal, toCamera), dot(normal, middle), sine * sine};
+        return half.cosView > 0.1 && dot(normal, direction) > 0.0 && half.cosHalf > 0.0;
     }
 
     Series m_gains[kHypothesisCount]; // mean logarithm of the likelihood ratio
