@@ -119,8 +119,9 @@ int runDoctor(const DoctorRun& run, std::ostream& out)
     for (const nrd::Finding& finding : findings) printFinding(out, finding);
     for (const ExtraRow& row : kExtras)
         if (!capture.has(row.first)) out << "NOT SEEN " << row.rule << ": the capture has no " << row.layer << '\n';
-    out << (findings.empty() ? std::string("no finding") : std::to_string(findings.size()) + " findings") << " in "
-        << count << " frames of " << capture.info().name << '\n';
+    const std::string number = findings.empty() ? "no" : std::to_string(findings.size());
+    out << number << (findings.size() > 1 ? " findings" : " finding") << " in " << count << " frames of "
+        << capture.info().name << '\n';
     if (const uint32_t messageCount = gpu.validationMessageCount())
         throw engine::Error("the validation layers had " + std::to_string(messageCount) + " messages");
     return findings.empty() ? kHealthy : kFindings;

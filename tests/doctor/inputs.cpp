@@ -1,6 +1,7 @@
 #include "inputs.h"
 #include "catch.h"
 #include "replay_camera.h"
+#include <algorithm>
 #include <cmath>
 
 namespace test
