@@ -161,8 +161,8 @@ nrd::NrdUserImage ReplayGpu::userImage(const engine::Image& image)
 {
     const engine::ImageDesc& desc = image.desc();
     const engine::ImageState& state = image.state;
-    return {image.handle(), desc.format, desc.width, desc.height, desc.usage, 0,
-            {state.layout, state.access, state.stage}};
+    return {
+        image.handle(), desc.format, desc.width, desc.height, desc.usage, 0, {state.layout, state.access, state.stage}};
 }
 
 void ReplayGpu::setState(engine::Image& image, const nrd::NrdUserImage& user)

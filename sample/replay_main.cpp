@@ -48,8 +48,9 @@ void declareOptions(CLI::App& app, Options& options)
     app.add_option("--peer", options.peer, "File with recorded figures, printed beside ours");
     app.add_option("--set", options.settings, "key=value: any field of the common or the denoiser's settings")
         ->take_all();
-    app.add_flag("--doctor", options.isDoctorWanted,
-                 "Check the inputs instead of denoising them; the exit code is 0 if all is well, 2 if it found something");
+    app.add_flag(
+        "--doctor", options.isDoctorWanted,
+        "Check the inputs instead of denoising them; the exit code is 0 if all is well, 2 if it found something");
     app.add_option("--frames", options.frameCount, "Replay only so many frames")
         ->check(CLI::Range(size_t(1), size_t(1000000)));
     app.add_option("--summary", options.summary, "Print one table of these reports instead of replaying");

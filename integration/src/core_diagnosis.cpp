@@ -54,9 +54,9 @@ void checkStates(const std::vector<DiagnosedImage>& images)
     for (const DiagnosedImage& a : images)
         for (const DiagnosedImage& b : images)
             if (a.image->image == b.image->image && a.image->state != b.image->state)
-                throw Refusal(Result::INVALID_ARGUMENT,
-                              sentence("%s and %s: one image in two states (layout, access or stages differ)", a.name,
-                                       b.name));
+                throw Refusal(
+                    Result::INVALID_ARGUMENT,
+                    sentence("%s and %s: one image in two states (layout, access or stages differ)", a.name, b.name));
 }
 } // namespace
 

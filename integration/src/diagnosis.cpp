@@ -10,9 +10,9 @@ namespace nrd
 {
 namespace
 {
-constexpr uint32_t kGroupSize = 8;        // of read_texels.comp.glsl
-constexpr uint32_t kTexelSize = 16;       // bytes of its vec4
-constexpr uint32_t kMostImages = 16;      // in a recording
+constexpr uint32_t kGroupSize = 8;   // of read_texels.comp.glsl
+constexpr uint32_t kTexelSize = 16;  // bytes of its vec4
+constexpr uint32_t kMostImages = 16; // in a recording
 constexpr rhi::BufferState kHostRead = {rhi::Access::HostRead, rhi::Stage::Host};
 constexpr rhi::BufferState kShaderWrite = {rhi::Access::StorageWrite, rhi::Stage::Compute};
 
@@ -126,8 +126,7 @@ void Diagnosis::look(uint64_t lastFrame)
     {
         Recording* oldest = nullptr;
         for (const std::unique_ptr<Recording>& recording : m_recordings)
-            if (recording->frame != 0 && recording->frame <= lastFrame &&
-                (!oldest || recording->frame < oldest->frame))
+            if (recording->frame != 0 && recording->frame <= lastFrame && (!oldest || recording->frame < oldest->frame))
                 oldest = recording.get();
         if (!oldest) return;
         oldest->frame = 0; // also if the doctor refuses it

@@ -152,6 +152,15 @@ void toScreenMotion(std::vector<FrameInputs>& frames)
     }
 }
 
+Texels enlarge(const Texels& image, const FrameInputs& frame, size_t width, size_t height, size_t x, size_t y)
+{
+    Texels result(width * height * 4, std::nanf(""));
+    for (size_t row = 0; row < frame.height; row++)
+        std::copy_n(image.begin() + static_cast<std::ptrdiff_t>(row * frame.width * 4), frame.width * 4,
+                    result.begin() + static_cast<std::ptrdiff_t>(((row + y) * width + x) * 4));
+    return result;
+}
+
 Diagnosis diagnose(const std::vector<FrameInputs>& frames)
 {
     nrd::InputDoctor doctor;
@@ -164,7 +173,8 @@ Diagnosis diagnose(const std::vector<FrameInputs>& frames)
     uint32_t count = 0;
     REQUIRE(doctor.GetFindings(findings, count) == nrd::Result::SUCCESS);
     Diagnosis result;
-    for (uint32_t i = 0; i < count; i++) result.entries.push_back({findings[i].rule, findings[i].slot, findings[i].text});
+    for (uint32_t i = 0; i < count; i++)
+        result.entries.push_back({findings[i].rule, findings[i].slot, findings[i].text});
     return result;
 }
 

@@ -30,6 +30,9 @@ std::vector<FrameInputs> readInputs(const std::filesystem::path& folder, size_t 
 /// World-space motion becomes what a renderer stores on screen: uv and depth of the last frame minus this one's.
 void toScreenMotion(std::vector<FrameInputs>& frames);
 
+/// An image of the frame's size in a larger one, with its corner at (x; y) and NaN around it.
+Texels enlarge(const Texels& image, const FrameInputs& frame, size_t width, size_t height, size_t x, size_t y);
+
 struct Diagnosis
 {
     struct Entry

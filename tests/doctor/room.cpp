@@ -47,7 +47,8 @@ glm::dmat3 basisAround(const dvec3& n)
 class Painter
 {
 public:
-    Painter(size_t index, size_t width, size_t height) : m_random(static_cast<uint32_t>(index)), m_width(width), m_height(height)
+    Painter(size_t index, size_t width, size_t height)
+        : m_random(static_cast<uint32_t>(index)), m_width(width), m_height(height)
     {
         m_frame.width = width;
         m_frame.height = height;
@@ -80,8 +81,10 @@ private:
         const dvec3 forward = {std::sin(yaw) * std::cos(pitch), std::sin(pitch), -std::cos(yaw) * std::cos(pitch)};
         const glm::dmat4 view = glm::lookAt(eye, eye + forward, dvec3(0, 1, 0));
         const double aspect = double(m_width) / double(m_height);
-        const float clip[16] = {float(1.0 / kTanX), 0, 0, 0, 0, float(aspect / kTanX), 0, 0, 0, 0, 0, -1, 0, 0, 0.01f, 0};
-        const float jitter[2] = {0.3f * static_cast<float>(std::cos(2.4 * t)), 0.3f * static_cast<float>(std::sin(2.4 * t))};
+        const float clip[16] = {
+            float(1.0 / kTanX), 0, 0, 0, 0, float(aspect / kTanX), 0, 0, 0, 0, 0, -1, 0, 0, 0.01f, 0};
+        const float jitter[2] = {0.3f * static_cast<float>(std::cos(2.4 * t)),
+                                 0.3f * static_cast<float>(std::sin(2.4 * t))};
         nrd::CommonSettings& common = m_frame.common;
         const auto set = [&](float(&viewTo)[16], float(&clipTo)[16], float(&jitterTo)[2])
         {

@@ -1,4 +1,5 @@
-// Every fault the doctor knows, put into recorded frames one at a time: it is named, with its cure, and nothing else is.
+// Every fault the doctor knows, put into recorded frames one at a time: it is named, with its cure, and nothing else
+// is.
 #include "catch.h"
 #include "inputs.h"
 #include "room.h"
@@ -49,7 +50,8 @@ void mapRoughness(test::FrameInputs& frame, float (*map)(float))
 }
 
 // Writes normals by `map`, which gets view-space rows as well.
-void mapNormals(test::FrameInputs& frame, const std::function<std::array<float, 3>(const float*, const float (&)[16])>& map)
+void mapNormals(test::FrameInputs& frame,
+                const std::function<std::array<float, 3>(const float*, const float (&)[16])>& map)
 {
     const test::Texels guides = frame.guides;
     for (size_t i = 0; i < guides.size(); i += 4)
@@ -105,9 +107,21 @@ void openWindow(test::FrameInputs& frame, float viewZ)
             const size_t i = 4 * (y * frame.width + x);
             frame.viewZ[i] = viewZ;
             for (size_t c = 0; c < 4; c++)
-                frame.diffuse[i + c] = frame.specular[i + c] = frame.motion[i + c] = frame.specularDirection[i + c] = 0.0f;
+                frame.diffuse[i + c] = frame.specular[i + c] = frame.motion[i + c] = frame.specularDirection[i + c] =
+                    0.0f;
             for (size_t c = 0; c < 4; c++) frame.diffuseFactor[i + c] = frame.specularFactor[i + c] = 0.0f;
         }
+}
+
+void jitterProjection(test::FrameInputs& frame)
+{
+    const auto put = [&](float(&clip)[16], const float(&jitter)[2])
+    {
+        clip[8] -= 2.0f * jitter[0] / static_cast<float>(frame.width) * clip[11];
+        clip[9] += 2.0f * jitter[1] / static_cast<float>(frame.height) * clip[11];
+    };
+    put(frame.common.viewToClipMatrix, frame.common.cameraJitter);
+    put(frame.common.viewToClipMatrixPrev, frame.common.cameraJitterPrev);
 }
 
 std::vector<Fault> settingsFaults()
@@ -117,23 +131,19 @@ std::vector<Fault> settingsFaults()
          [](auto& frame) { frame.common.frameIndex = 7; }},
         {"previous view matrix is the current one", DoctorRule::PREVIOUS_CAMERA,
          "worldToViewMatrixPrev equals the current worldToViewMatrix",
-         [](auto& frame)
-         { std::copy_n(frame.common.worldToViewMatrix, 16, frame.common.worldToViewMatrixPrev); }},
+         [](auto& frame) { std::copy_n(frame.common.worldToViewMatrix, 16, frame.common.worldToViewMatrixPrev); }},
         {"camera delta is negated", DoctorRule::PREVIOUS_CAMERA, "negate it",
          [](auto& frame)
          {
              for (double& delta : frame.common.cameraDelta) delta = -delta;
          }},
         {"jitter in the projection", DoctorRule::JITTER_IN_MATRIX, "projection without jitter",
+         [](auto& frame) { jitterProjection(frame); }, true},
+        {"jitter in the projection instead of the settings", DoctorRule::JITTER_IN_MATRIX, "projection without jitter",
          [](auto& frame)
          {
-             const auto put = [&](float(&clip)[16], const float(&jitter)[2])
-             {
-                 clip[8] -= 2.0f * jitter[0] / static_cast<float>(frame.width) * clip[11];
-                 clip[9] += 2.0f * jitter[1] / static_cast<float>(frame.height) * clip[11];
-             };
-             put(frame.common.viewToClipMatrix, frame.common.cameraJitter);
-             put(frame.common.viewToClipMatrixPrev, frame.common.cameraJitterPrev);
+             jitterProjection(frame);
+             for (float* jitter : {frame.common.cameraJitter, frame.common.cameraJitterPrev}) jitter[0] = jitter[1] = 0;
          },
          true},
     };
@@ -145,8 +155,8 @@ std::vector<Fault> motionFaults()
         screenMotion("screen motion: sign", "looks like current - previous; multiply motionVectorScale by -1", -1, -1),
         screenMotion("screen motion: x flipped", "x flipped; multiply motionVectorScale by (-1; 1)", -1, 1),
         screenMotion("screen motion: y flipped", "y flipped; multiply motionVectorScale by (1; -1)", 1, -1),
-        screenMotion("screen motion: pixels", "in pixels instead of uv; multiply motionVectorScale by (0.003125; 0.0055",
-                     320, 180),
+        screenMotion("screen motion: pixels",
+                     "in pixels instead of uv; multiply motionVectorScale by (0.003125; 0.0055", 320, 180),
         screenMotion("screen motion: negative pixels", "current - previous, in pixels instead of uv", -320, -180),
         screenMotion("screen motion: half", "half as long as it must be; multiply motionVectorScale by 2", 0.5, 0.5),
         screenMotion("screen motion: device coordinates", "y flipped, twice as long", 2, -2),
@@ -187,11 +197,13 @@ std::vector<Fault> guideFaults()
         {"view-space normals", DoctorRule::NORMAL_SPACE, "are in view space",
          [](auto& frame) { mapNormals(frame, toView); }},
         {"normals that point away", DoctorRule::NORMAL_SPACE, "negate them",
-         [](auto& frame)
-         { mapNormals(frame, [](const float* n, const auto&) { return std::array{-n[0], -n[1], -n[2]}; }); }},
+         [](auto& frame) {
+             mapNormals(frame, [](const float* n, const auto&) { return std::array{-n[0], -n[1], -n[2]}; });
+         }},
         {"normals with y flipped", DoctorRule::NORMAL_SPACE, "y flipped",
-         [](auto& frame)
-         { mapNormals(frame, [](const float* n, const auto&) { return std::array{n[0], -n[1], n[2]}; }); }},
+         [](auto& frame) {
+             mapNormals(frame, [](const float* n, const auto&) { return std::array{n[0], -n[1], n[2]}; });
+         }},
         {"plain normals for the octahedral encoding", DoctorRule::NORMAL_ENCODING, "0.5 * n + 0.5",
          [](auto& frame)
          {
@@ -218,7 +230,7 @@ std::vector<Fault> guideFaults()
              for (size_t i = 0; i < frame.pixelCount(); i++)
                  frame.viewZ[i * 4] *= static_cast<float>(primaryLength(frame, i));
          }},
-        {"NaN in the motion", DoctorRule::NON_FINITE, "IN_MV holds NaN or infinity in 3 pixels, the first at (50; 100)",
+        {"NaN in the motion", DoctorRule::NON_FINITE, "IN_MV holds NaN or infinity in 4 pixels, the first at (50; 100)",
          [](auto& frame) { frame.motion[4 * (100 * frame.width + 50)] = kNan; }},
         {"infinite depth", DoctorRule::NON_FINITE, "sky takes any finite value",
          [](auto& frame) { frame.viewZ[4 * (5 * frame.width + 50)] = kInfinity; }},
@@ -305,14 +317,12 @@ TEST_CASE("motion of what moves by itself is judged by the last frame's depths",
     Frames screen = world;
     test::toScreenMotion(screen);
     checkFault(world, screen,
-               {"world motion: sign", DoctorRule::MOTION, "looks like current - previous; multiply motionVectorScale by -1",
+               {"world motion: sign", DoctorRule::MOTION,
+                "looks like current - previous; multiply motionVectorScale by -1",
                 [](auto& frame) { scaleMotion(frame, -1, -1, -1); }});
 }
 
-TEST_CASE("every fault is named, and no other", "[unit]")
-{
-    checkFaults(test::makeRoom(3, 320, 180));
-}
+TEST_CASE("every fault is named, and no other", "[unit]") { checkFaults(test::makeRoom(4, 320, 180)); }
 
 TEST_CASE("every fault of recorded frames is named, and no other", "[golden]")
 {
@@ -323,7 +333,7 @@ TEST_CASE("every fault of recorded frames is named, and no other", "[golden]")
         if (!fs::exists(folder / "capture.json")) continue;
         count++;
         INFO(name);
-        checkFaults(test::readInputs(folder, 0, 3));
+        checkFaults(test::readInputs(folder, 0, 4));
     }
     if (count == 0) std::printf("SKIPPED faults in the recorded sequences: they are not here\n");
 }

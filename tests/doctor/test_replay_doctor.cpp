@@ -38,8 +38,9 @@ fs::path sampleCapture()
     const fs::path folder = fs::path(NRD_OUTPUT) / "sample-capture";
     std::error_code error;
     fs::remove_all(folder, error);
-    const Outcome outcome = run(std::string("\"") + NRD_SAMPLE +
-                                "\" --headless --jitter --size 240x136 --frames 4 --capture \"" + folder.string() + '"');
+    const Outcome outcome =
+        run(std::string("\"") + NRD_SAMPLE + "\" --headless --jitter --fps 10 --size 240x136 --frames 4 --capture \"" +
+            folder.string() + '"');
     INFO(outcome.text);
     REQUIRE(outcome.exitCode == 0);
     return folder;
@@ -76,7 +77,8 @@ TEST_CASE("nrd-replay --doctor finds nothing in the sample's own capture, and fa
     CHECK(good.exitCode == 0);
     CHECK(good.text == "no finding in 4 frames of cornell box\n");
 
-    const Outcome bad = diagnose(capture, "--frames 3 --set isMotionVectorInWorldSpace=false --set hitDistanceParameters.A=30");
+    const Outcome bad =
+        diagnose(capture, "--frames 3 --set isMotionVectorInWorldSpace=false --set hitDistanceParameters.A=30");
     INFO(bad.text);
     CHECK(bad.exitCode == 2);
     CHECK_THAT(bad.text, containing("FAULT   MOTION: IN_MV is off by"));

@@ -81,8 +81,8 @@ public:
     InputDoctor(InputDoctor&&) noexcept;
     InputDoctor& operator=(InputDoctor&&) noexcept;
 
-    /// Frames in order; only consecutive ones are compared. The images are read before it returns, tens of
-    /// milliseconds later. INVALID_ARGUMENT, FAILURE (memory).
+    /// Frames in order; only consecutive ones are compared. The images are read before it returns, which takes
+    /// milliseconds for a small picture and most of a second for a large one. INVALID_ARGUMENT, FAILURE (memory).
     Result AddFrame(const DoctorFrame& frame);
     uint32_t GetFrameNum() const;
 

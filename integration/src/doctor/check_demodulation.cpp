@@ -55,7 +55,7 @@ private:
     static constexpr int kReach = 2; // pixels: over an edge that is smoothed
     static constexpr uint64_t kLeastPairs = 200;
     static constexpr double kLeastSlope = 0.35;
-    static constexpr double kDeviations = 2.0;   // standard ones
+    static constexpr double kDeviations = 2.0;    // standard ones
     static constexpr double kLeastContrast = 0.3; // logarithm
     static constexpr double kLeastFactor = 0.03;
 

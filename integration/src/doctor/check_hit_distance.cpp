@@ -67,7 +67,8 @@ private:
     static constexpr double kSaturated = 0.99;   // of the stored value, which ends at 1
     static constexpr double kSurely = 0.97;      // of the depth; hit distances are rounded to half floats
     static constexpr double kRarely = 0.002;
-    static constexpr double kTouching = 1.5; // of the depth: walls that meet give distances down to 0 beyond the camera's
+    static constexpr double kTouching =
+        1.5; // of the depth: walls that meet give distances down to 0 beyond the camera's
     static constexpr double kSometimes = 0.03;
     static constexpr double kSame = 2e-3;
     static constexpr double kHardly = 1e-3;
@@ -83,9 +84,10 @@ private:
                      slot, m_high.value()));
         else if (m_ended.value() < kHardly && m_corners.value() > kManyCorners)
             add(reports, DoctorRule::HIT_DISTANCE_CONSTANT, m_high.value(),
-                text("%s has the hit distance 1 everywhere, which stands for all that is long: measure from the primary "
-                     "hit on, not from the camera, and choose hitDistanceParameters A and B in the scene's units",
-                     slot));
+                text(
+                    "%s has the hit distance 1 everywhere, which stands for all that is long: measure from the primary "
+                    "hit on, not from the camera, and choose hitDistanceParameters A and B in the scene's units",
+                    slot));
     }
 
     // Whether a surface near it in the picture stands in the way of what the pixel sees, well within the range.

@@ -39,7 +39,7 @@ public:
     void look(const Frame& frame, const Frame* before) override
     {
         if (!before || !frame.input().motion) return;
-        if (!m_candidates.empty() && m_candidates[0].isWorldSpace != frame.common().isMotionVectorInWorldSpace) return;
+        if (!m_candidates.empty() && isSaidToBeWorldSpace() != frame.common().isMotionVectorInWorldSpace) return;
         m_candidates = motionCandidates(frame);
         const MotionQuery query = {frame, *before, frame.cameraOf(*before)};
         lookAtStill(query);
@@ -57,9 +57,8 @@ public:
         const bool isTelling = isJitter || fit < kClearly * m_way.value();
         if (best != 0 && isTelling && m_still.given() > kLeastPixels && fit < kClearly * m_still.given())
         {
-            const std::string cure =
-                isJitter ? "holds the jitter's change; compute it with matrices without jitter"
-                         : describe(m_candidates[best], m_candidates[0].isWorldSpace);
+            const std::string cure = isJitter ? "holds the jitter's change; compute it with matrices without jitter"
+                                              : describe(m_candidates[best], isSaidToBeWorldSpace());
             reports.push_back({isJitter ? DoctorRule::JITTER_IN_MOTION : DoctorRule::MOTION, FindingSeverity::FAULT,
                                ResourceType::IN_MV, m_still.given(),
                                text("IN_MV is off by %.2f pixels where the scene stands still and %s (then it fits to "
@@ -73,8 +72,11 @@ public:
 private:
     static constexpr double kLeastPixels = 0.1;
     static constexpr double kTiePixels = 0.02;
+    static constexpr double kZero = 1e-6;         // of the screen
     static constexpr double kMostMismatch = 0.05; // of a depth: all larger ones are another surface
     static constexpr double kLeastMismatch = 0.004;
+
+    bool isSaidToBeWorldSpace() const { return m_candidates[0].isWorldSpace; }
 
     void lookAtStill(const MotionQuery& query)
     {
@@ -86,9 +88,13 @@ private:
                        const Camera::Pixel still = query.still(x, y);
                        const Camera::Pixel here = {query.frame.sampleU(x), query.frame.sampleV(y), 0.0};
                        if (isFinite({still.u, still.v, still.z})) ways.push_back(query.pixelsBetween(still, here));
+                       const bool isZero = length(query.vector(x, y)) < kZero;
                        for (size_t i = 0; i < m_candidates.size(); i++)
                        {
-                           const double error = query.pixelsBetween(query.moved(m_candidates[i], x, y), still);
+                           // In world units a motion on screen is next to nothing, which fits what stands still.
+                           const bool isMistaken = m_candidates[i].isWorldSpace && !isSaidToBeWorldSpace() && !isZero;
+                           const Camera::Pixel moved = isMistaken ? here : query.moved(m_candidates[i], x, y);
+                           const double error = query.pixelsBetween(moved, still);
                            if (std::isfinite(error)) errors[i].push_back(error);
                        }
                    });
@@ -110,8 +116,8 @@ private:
                        const double way = query.pixelsBetween(query.moved(m_candidates[0], x, y), query.still(x, y));
                        if (!(way > 1.0)) return;
                        for (size_t i = 0; i < m_candidates.size(); i++)
-                           sums[i] += std::min(query.before.depthMismatch(query.moved(m_candidates[i], x, y)),
-                                               kMostMismatch);
+                           sums[i] +=
+                               std::min(query.before.depthMismatch(query.moved(m_candidates[i], x, y)), kMostMismatch);
                        count++;
                    });
         if (count < kLeastMoving) return;
@@ -128,8 +134,8 @@ private:
         reports.push_back({DoctorRule::MOTION, FindingSeverity::FAULT, ResourceType::IN_MV, m_moving.given(),
                            text("IN_MV of what moves leads to other depths in the last frame (off by %.2f %% in the "
                                 "mean) and %s (then %.2f %%)",
-                                100.0 * m_moving.given(),
-                                describe(m_candidates[best], m_candidates[0].isWorldSpace).c_str(), 100.0 * fit)});
+                                100.0 * m_moving.given(), describe(m_candidates[best], isSaidToBeWorldSpace()).c_str(),
+                                100.0 * fit)});
     }
 
     std::vector<MotionCandidate> m_candidates; // of the latest frame; their order never changes

@@ -1,6 +1,6 @@
 // Normals against the depths' own, under every hypothesis about what went wrong. The one that explains them is named.
-#include "depth_normal.h"
 #include "check.h"
+#include "depth_normal.h"
 #include <array>
 
 namespace nrd::doctor
@@ -180,8 +180,8 @@ private:
         return std::abs(x) + std::abs(y) > 1.0 + kRounding;
     }
 
-    static void addAngles(std::array<Mean, kHypothesisCount>& angles, const Frame& frame,
-                          const float* texel, const Vec3& expected)
+    static void addAngles(std::array<Mean, kHypothesisCount>& angles, const Frame& frame, const float* texel,
+                          const Vec3& expected)
     {
         for (size_t i = 0; i < kHypothesisCount; i++)
         {
@@ -240,8 +240,7 @@ public:
             {DoctorRule::VIEWZ_ENCODING, FindingSeverity::FAULT, ResourceType::IN_VIEWZ, beaten,
              text("the surfaces of IN_VIEWZ are off the normals by %.0f degrees; they fit to %.1f degrees if it holds "
                   "%s: store linear view depth",
-                  beaten, best,
-                  isDistance ? "the distance to the camera" : "the values of the depth buffer")});
+                  beaten, best, isDistance ? "the distance to the camera" : "the values of the depth buffer")});
     }
 
 private:

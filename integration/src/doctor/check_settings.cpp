@@ -18,11 +18,12 @@ public:
     void report(Reports& reports) const override
     {
         if (m_same.count == 0) return;
-        reports.push_back({DoctorRule::FRAME_INDEX, FindingSeverity::FAULT, ResourceType::MAX_NUM, m_same.value(),
-                           text("frameIndex stood still at %u in %.0f %% of the frames, so that every frame starts over "
-                                "with the same noise; count it up by 1 per frame, also where a command buffer is "
-                                "recorded once",
-                                m_index, 100.0 * m_same.value())});
+        reports.push_back(
+            {DoctorRule::FRAME_INDEX, FindingSeverity::FAULT, ResourceType::MAX_NUM, m_same.value(),
+             text("frameIndex stood still at %u in %.0f %% of the frames, so that every frame starts over "
+                  "with the same noise; count it up by 1 per frame, also where a command buffer is "
+                  "recorded once",
+                  m_index, 100.0 * m_same.value())});
     }
 
 private:
@@ -30,10 +31,12 @@ private:
     uint32_t m_index = 0;
 };
 
+// Of elements beyond 1 a fraction of them, as floats are rounded.
 template <size_t N> double maxDifference(const float (&a)[N], const float (&b)[N])
 {
     double result = 0.0;
-    for (size_t i = 0; i < N; i++) result = std::max(result, std::abs(double(a[i]) - double(b[i])));
+    for (size_t i = 0; i < N; i++)
+        result = std::max(result, std::abs(double(a[i]) - double(b[i])) / std::max(std::abs(double(b[i])), 1.0));
     return result;
 }
 
@@ -127,37 +130,57 @@ private:
     Share m_deltaNegated; // among the wrong ones
 };
 
-// A jittered projection moves its principal point by less than a pixel or two from frame to frame.
+// A jittered projection moves its principal point by a pixel or less, to and fro; a lens shift that is animated goes
+// on.
 class MatrixJitterCheck final : public Check
 {
 public:
     void look(const Frame& frame, const Frame* before) override
     {
         if (!before) return;
-        const Camera& a = before->camera();
-        const Camera& b = frame.camera();
-        const double x = 0.5 * frame.width() * (b.principalX() - a.principalX());
-        const double y = 0.5 * frame.height() * (b.principalY() - a.principalY());
-        const double shift = std::hypot(x, y);
-        const bool isJitter = shift > kLeast && shift < kMost;
-        m_shifted.add(isJitter);
-        if (isJitter) m_shift.add(shift);
+        const Vec3 shift = principalPoint(frame) - principalPoint(*before);
+        const Vec3 jitter = jitterOf(frame) - jitterOf(*before);
+        const double way = length(shift);
+        const bool isSmall = way > kLeast && way < kMost;
+        m_small.add(isSmall);
+        if (!isSmall) return;
+        m_way += way;
+        m_net = m_net + shift;
+        // The point moves with the sample or against it, whichever way the application jitters.
+        m_asJitter.add(std::min(length(shift - jitter), length(shift + jitter)) < 0.1 * way);
     }
 
     void report(Reports& reports) const override
     {
-        if (m_shifted.count == 0 || m_shifted.value() < 0.5) return;
-        reports.push_back({DoctorRule::JITTER_IN_MATRIX, FindingSeverity::FAULT, ResourceType::MAX_NUM, m_shift.value(),
+        if (m_small.count == 0 || m_small.value() < 0.5) return;
+        const bool isToAndFro = m_small.count >= kLeastSteps && length(m_net) < 0.5 * m_way;
+        if (m_asJitter.value() < 0.5 && !isToAndFro) return;
+        const double step = m_way / static_cast<double>(m_small.count);
+        reports.push_back({DoctorRule::JITTER_IN_MATRIX, FindingSeverity::FAULT, ResourceType::MAX_NUM, step,
                            text("viewToClipMatrix moves by %.2f pixels from frame to frame, as jitter does: hand over "
                                 "the projection without jitter, and the jitter in cameraJitter",
-                                m_shift.value())});
+                                step)});
     }
 
 private:
-    static constexpr double kLeast = 0.01; // pixels; a lens shift that is animated moves less or more
+    static constexpr double kLeast = 0.01; // pixels
     static constexpr double kMost = 2.0;   // pixels; jitter spans one in each direction
-    Share m_shifted;
-    Series m_shift; // pixels
+    static constexpr uint64_t kLeastSteps = 3;
+
+    // Both in pixels, y downwards.
+    static Vec3 principalPoint(const Frame& frame)
+    {
+        return {0.5 * frame.width() * frame.camera().principalX(), -0.5 * frame.height() * frame.camera().principalY()};
+    }
+    static Vec3 jitterOf(const Frame& frame)
+    {
+        return {double(frame.common().cameraJitter[0]), double(frame.common().cameraJitter[1])};
+    }
+
+    Share m_small;
+    Share m_asJitter; // among the small ones
+    double m_way = 0.0;
+    Vec3 m_net;
 };
 } // namespace
 

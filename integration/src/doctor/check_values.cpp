@@ -48,12 +48,11 @@ public:
                                            ? "sky takes any finite value beyond denoisingRange"
                                        : kSlots[i].isGuide ? "guides must be finite wherever there is a surface"
                                                            : "drop the path that made it before averaging and packing";
-            reports.push_back({DoctorRule::NON_FINITE,
-                               kSlots[i].isGuide ? FindingSeverity::FAULT : FindingSeverity::WARNING, kSlots[i].type,
-                               static_cast<double>(count.pixels),
-                               text("%s holds NaN or infinity in %llu pixels, the first at (%d; %d): %s",
-                                    toString(kSlots[i].type), static_cast<unsigned long long>(count.pixels), count.x,
-                                    count.y, advice)});
+            reports.push_back(
+                {DoctorRule::NON_FINITE, kSlots[i].isGuide ? FindingSeverity::FAULT : FindingSeverity::WARNING,
+                 kSlots[i].type, static_cast<double>(count.pixels),
+                 text("%s holds NaN or infinity in %llu pixels, the first at (%d; %d): %s", toString(kSlots[i].type),
+                      static_cast<unsigned long long>(count.pixels), count.x, count.y, advice)});
         }
     }
 
@@ -194,8 +193,8 @@ private:
 
     static void add(Reports& reports, double evidence, std::string sentence)
     {
-        reports.push_back({DoctorRule::SKY_IN_RANGE, FindingSeverity::FAULT, ResourceType::IN_VIEWZ, evidence,
-                           std::move(sentence)});
+        reports.push_back(
+            {DoctorRule::SKY_IN_RANGE, FindingSeverity::FAULT, ResourceType::IN_VIEWZ, evidence, std::move(sentence)});
     }
 
     Share m_zero;

@@ -9,7 +9,10 @@ namespace nrd::doctor
 Vec3 decodeNormal(const float* texel, NormalEncoding encoding);
 double decodeRoughness(const float* texel, NormalEncoding normals, RoughnessEncoding encoding);
 
-inline double lumaOfRgb(const float* rgb) { return 0.25 * double(rgb[0]) + 0.5 * double(rgb[1]) + 0.25 * double(rgb[2]); }
+inline double lumaOfRgb(const float* rgb)
+{
+    return 0.25 * double(rgb[0]) + 0.5 * double(rgb[1]) + 0.25 * double(rgb[2]);
+}
 
 /// Distance of which the stored one is a fraction; roughness 1 for diffuse.
 double hitDistanceRange(double z, const HitDistanceParameters& parameters, double roughness);

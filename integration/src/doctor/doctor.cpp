@@ -65,7 +65,7 @@ const std::vector<Dependence>& dependences()
         {R::NORMAL_ENCODING, {R::VIEWZ_ENCODING}},
         {R::NORMAL_SPACE, {R::VIEWZ_ENCODING}},
         {R::ROUGHNESS_ENCODING, {R::VIEWZ_ENCODING, R::NORMAL_ENCODING, R::NORMAL_SPACE}},
-        {R::MOTION, {R::VIEWZ_ENCODING}},
+        {R::MOTION, {R::VIEWZ_ENCODING, R::JITTER_IN_MATRIX}},
         {R::MOTION_DEPTH, {R::VIEWZ_ENCODING}},
         {R::JITTER_IN_MOTION, {R::VIEWZ_ENCODING, R::JITTER_IN_MATRIX}},
         {R::HIT_DISTANCE_PRIMARY, {R::VIEWZ_ENCODING, R::NORMAL_ENCODING, R::HIT_DISTANCE_SCALE}},
@@ -126,8 +126,8 @@ struct InputDoctor::Impl
         std::stable_sort(reports.begin(), reports.end(),
                          [](const doctor::Report& a, const doctor::Report& b) { return a.severity > b.severity; });
         for (const doctor::Report& report : reports)
-            findings.push_back({report.rule, report.severity, report.slot, static_cast<float>(report.evidence),
-                                report.text.c_str()});
+            findings.push_back(
+                {report.rule, report.severity, report.slot, static_cast<float>(report.evidence), report.text.c_str()});
     }
 };
 
@@ -192,6 +192,7 @@ try
 }
 catch (const std::exception&) // memory of the host
 {
+    if (m_impl) m_impl->message = "out of memory"; // short enough to need none
     return Result::FAILURE;
 }
 

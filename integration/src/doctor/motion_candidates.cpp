@@ -46,8 +46,8 @@ void addScreen(std::vector<MotionCandidate>& candidates, const Frame& frame)
     for (const Unit& unit : kScreenUnits)
     {
         const bool isPixels = unit.factor == 0.0;
-        const Vec3 factor = isPixels ? Vec3{1.0 / frame.width(), 1.0 / frame.height(), 1.0}
-                                     : Vec3{unit.factor, unit.factor, 1.0};
+        const Vec3 factor =
+            isPixels ? Vec3{1.0 / frame.width(), 1.0 / frame.height(), 1.0} : Vec3{unit.factor, unit.factor, 1.0};
         for (const Shape& shape : kScreenShapes)
             candidates.push_back({false, factor * shape.sign, 0.0, shape.name, unit.name});
     }
@@ -113,8 +113,9 @@ std::string describe(const MotionCandidate& candidate, bool isSaidToBeWorldSpace
     {
         how += std::string(how.empty() ? "" : " and ") + "multiply motionVectorScale by ";
         const bool isOne = f.x == f.y && (!candidate.isWorldSpace || f.x == f.z);
-        how += isOne ? text("%g", f.x)
-                     : candidate.isWorldSpace ? text("(%g; %g; %g)", f.x, f.y, f.z) : text("(%g; %g)", f.x, f.y);
+        how += isOne                    ? text("%g", f.x)
+               : candidate.isWorldSpace ? text("(%g; %g; %g)", f.x, f.y, f.z)
+                                        : text("(%g; %g)", f.x, f.y);
     }
     else if (candidate.isWorldSpace && f.z != 1.0)
         how += text("multiply motionVectorScale by (1; 1; %g)", f.z);
