@@ -165,11 +165,11 @@ TEST_CASE("an application's images tell the same as the host's, without waiting"
     }
 }
 
-TEST_CASE("a diagnosis is refused with the name of what is wrong", "[gpu]")
+TEST_CASE("a diagnosis out of turn is refused", "[gpu]")
 {
     Engine engine(nrd::LayoutPolicy::OPTIMAL);
     nrd::NrdIntegration& integration = engine.integration;
-    const std::vector<test::FrameInputs> room = test::makeRoom(2, kWidth, kHeight);
+    const test::FrameInputs room = test::makeRoom(1, kWidth, kHeight)[0];
     rhi::CommandBuffer& commands = engine.ring.begin();
     const VkCommandBuffer handle = rhi::vulkanCommandBuffer(commands);
     const nrd::Finding* findings = nullptr;
@@ -180,30 +180,10 @@ TEST_CASE("a diagnosis is refused with the name of what is wrong", "[gpu]")
     nrd::NrdUserPool pool = engine.images[0]->pool();
     test::requireRefusal(integration.RecordDiagnosis(handle, pool), integration,
                          "NewFrame() must be called before RecordDiagnosis()");
-    engine.beginFrame(room[0].common);
-    engine.images[0]->upload(commands, room[0]);
+    engine.beginFrame(room.common);
+    engine.images[0]->upload(commands, room);
     pool = engine.images[0]->pool();
     test::requireRefusal(integration.RecordDiagnosis(VK_NULL_HANDLE, pool), integration, "commandBuffer is null");
-
-    nrd::NrdUserPool broken = pool;
-    broken[ResourceType::IN_VIEWZ] = {};
-    test::requireRefusal(
-        integration.RecordDiagnosis(handle, broken), integration,
-        "IN_VIEWZ: the slot is empty or no denoiser of the instance reads it, but the doctor needs it");
-    broken = pool;
-    broken[ResourceType::IN_MV].width = 3;
-    test::requireRefusal(integration.RecordDiagnosis(handle, broken), integration,
-                         "IN_MV: the image is 3 x 96, but the resource size is 160 x 96");
-    nrd::NrdDiagnosisImages extra;
-    extra.diffuseFactor = pool[ResourceType::IN_DIFF_RADIANCE_HITDIST];
-    extra.diffuseFactor.format = VK_FORMAT_R8_UINT;
-    test::requireRefusal(integration.RecordDiagnosis(handle, pool, &extra), integration,
-                         "diffuseFactor: VkFormat 13 is not one that can be read as floats");
-    extra.diffuseFactor = pool[ResourceType::IN_DIFF_RADIANCE_HITDIST];
-    extra.diffuseFactor.state.access ^= 1;
-    test::requireRefusal(integration.RecordDiagnosis(handle, pool, &extra), integration,
-                         "IN_DIFF_RADIANCE_HITDIST and diffuseFactor: one image in two states (layout, access or "
-                         "stages differ)");
     test::require(integration.RecordDiagnosis(handle, pool), integration);
     test::requireRefusal(integration.RecordDiagnosis(handle, pool), integration,
                          "RecordDiagnosis() is called twice in one frame");
@@ -211,5 +191,35 @@ TEST_CASE("a diagnosis is refused with the name of what is wrong", "[gpu]")
     engine.ring.wait();
     CHECK(engine.findings(true).empty());
     test::require(integration.Resize(64, 64), integration); // with the diagnosis still there
+    engine.gpu.finish();
+}
+
+TEST_CASE("images that the doctor cannot read are refused by name", "[gpu]")
+{
+    Engine engine(nrd::LayoutPolicy::OPTIMAL);
+    nrd::NrdIntegration& integration = engine.integration;
+    rhi::CommandBuffer& commands = engine.ring.begin();
+    const VkCommandBuffer handle = rhi::vulkanCommandBuffer(commands);
+    engine.beginFrame(test::makeRoom(1, kWidth, kHeight)[0].common);
+    const nrd::NrdUserPool pool = engine.images[0]->pool();
+    const auto requireRefusal = [&](nrd::NrdUserPool changed, nrd::NrdDiagnosisImages extra, const char* sentence)
+    { test::requireRefusal(integration.RecordDiagnosis(handle, changed, &extra), integration, sentence); };
+    nrd::NrdUserPool broken = pool;
+    broken[ResourceType::IN_VIEWZ] = {};
+    requireRefusal(broken, {},
+                   "IN_VIEWZ: the slot is empty or no denoiser of the instance reads it, but the doctor needs it");
+    broken = pool;
+    broken[ResourceType::IN_MV].width = 3;
+    requireRefusal(broken, {}, "IN_MV: the image is 3 x 96, but the resource size is 160 x 96");
+    nrd::NrdDiagnosisImages extra;
+    extra.diffuseFactor = pool[ResourceType::IN_DIFF_RADIANCE_HITDIST];
+    extra.diffuseFactor.format = VK_FORMAT_R8_UINT;
+    requireRefusal(pool, extra, "diffuseFactor: VkFormat 13 is not one that can be read as floats");
+    extra.diffuseFactor = pool[ResourceType::IN_DIFF_RADIANCE_HITDIST];
+    extra.diffuseFactor.state.access ^= 1;
+    requireRefusal(pool, extra,
+                   "IN_DIFF_RADIANCE_HITDIST and diffuseFactor: one image in two states (layout, access or stages "
+                   "differ)");
+    engine.ring.end();
     engine.gpu.finish();
 }

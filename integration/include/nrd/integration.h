@@ -197,7 +197,7 @@ public:
     /// after SetCommonSettings(), in place of Denoise() or before it; slots that are empty or that no denoiser of the
     /// instance reads are left out, IN_VIEWZ is needed. The images need no usage beyond SAMPLED; their entries tell the
     /// state they are left in. 16 bytes of host memory per pixel, image and frame in flight, from the first call on.
-    /// Looks at frames that are done first, which takes tens of milliseconds each.
+    /// Looks at frames that are done first, see InputDoctor::AddFrame().
     Result RecordDiagnosis(VkCommandBuffer commandBuffer, NrdUserPool& userPool, NrdDiagnosisImages* images = nullptr);
 
     /// What the recorded frames show, see nrd/doctor.h: those that the GPU has certainly finished, `framesInFlight`
