@@ -161,6 +161,16 @@ Texels enlarge(const Texels& image, const FrameInputs& frame, size_t width, size
     return result;
 }
 
+void roundToHalf(Texels& texels)
+{
+    for (float& value : texels)
+    {
+        int exponent = 0;
+        const float mantissa = std::frexp(value, &exponent);
+        value = std::ldexp(std::round(mantissa * 2048.0f), exponent - 11);
+    }
+}
+
 Diagnosis diagnose(const std::vector<FrameInputs>& frames)
 {
     nrd::InputDoctor doctor;

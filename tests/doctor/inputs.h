@@ -33,6 +33,9 @@ void toScreenMotion(std::vector<FrameInputs>& frames);
 /// An image of the frame's size in a larger one, with its corner at (x; y) and NaN around it.
 Texels enlarge(const Texels& image, const FrameInputs& frame, size_t width, size_t height, size_t x, size_t y);
 
+/// As an image of half floats keeps them; values in their normal range.
+void roundToHalf(Texels& texels);
+
 struct Diagnosis
 {
     struct Entry

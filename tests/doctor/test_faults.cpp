@@ -196,6 +196,12 @@ std::vector<Fault> guideFaults()
          [](auto& frame) { mapRoughness(frame, [](float r) { return 1.0f - r; }); }},
         {"view-space normals", DoctorRule::NORMAL_SPACE, "are in view space",
          [](auto& frame) { mapNormals(frame, toView); }},
+        {"view-space normals, depth in half floats", DoctorRule::NORMAL_SPACE, "are in view space",
+         [](auto& frame)
+         {
+             mapNormals(frame, toView);
+             test::roundToHalf(frame.viewZ);
+         }},
         {"normals that point away", DoctorRule::NORMAL_SPACE, "negate them",
          [](auto& frame) {
              mapNormals(frame, [](const float* n, const auto&) { return std::array{-n[0], -n[1], -n[2]}; });

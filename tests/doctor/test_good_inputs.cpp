@@ -83,6 +83,19 @@ TEST_CASE("an input that cannot be read is refused by name", "[unit]")
     CHECK(doctor.GetFrameNum() == 0);
 }
 
+TEST_CASE("depth and motion in half floats raise no finding, large pictures included", "[unit]")
+{
+    for (const size_t scale : {1, 4})
+    {
+        std::vector<test::FrameInputs> frames = test::makeRoom(2, 320 * scale, 180 * scale);
+        test::toScreenMotion(frames);
+        for (test::FrameInputs& frame : frames)
+            for (test::Texels* texels : {&frame.viewZ, &frame.motion}) test::roundToHalf(*texels);
+        INFO(scale);
+        CHECK(test::diagnose(frames).text() == "");
+    }
+}
+
 TEST_CASE("one frame alone raises no finding, nor does a frame of one pixel", "[unit]")
 {
     checkGood(test::makeRoom(1, 320, 180));

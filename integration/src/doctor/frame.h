@@ -4,6 +4,7 @@
 #include "camera.h"
 #include "decode.h"
 #include <nrd/doctor.h>
+#include <algorithm>
 #include <vector>
 
 namespace nrd::doctor
@@ -43,6 +44,9 @@ public:
     Vec3 position(int x, int y) const { return positionAt(x, y, viewZ(x, y)); }
     Vec3 positionAt(int x, int y, double z) const { return m_camera.unproject(sampleU(x), sampleV(y), z); }
 
+    /// Pixels to neighbours between which depths differ by more than half floats round.
+    int reach() const { return std::max(1, m_height / 180); }
+
     Vec3 normal(int x, int y) const; // unit; needs normalRoughness
     double roughness(int x, int y) const;
 
@@ -67,8 +71,9 @@ template <class Look> void forSamples(const Frame& frame, Look&& look)
 {
     constexpr double kSamples = 12000.0;
     const int step = std::max(1, static_cast<int>(std::sqrt(double(frame.width()) * frame.height() / kSamples)));
-    for (int y = 1; y + 1 < frame.height(); y += step)
-        for (int x = 1; x + 1 < frame.width(); x += step)
+    const int margin = frame.reach();
+    for (int y = margin; y + margin < frame.height(); y += step)
+        for (int x = margin; x + margin < frame.width(); x += step)
             if (frame.isSurface(x, y)) look(x, y);
 }
 } // namespace nrd::doctor
