@@ -52,14 +52,23 @@ public:
                 text("%s has hit distances above 1 in %.1f %% of the pixels: divide them by "
                      "REBLUR_FrontEnd_GetNormHitDist with the parameters of ReblurSettings",
                      slot, 100.0 * m_tooLong.value()));
+        const bool isConstant = m_high.value() - m_low.value() <= kSame * m_high.value();
+        if (isConstant && m_high.value() < kSaturated)
+            add(reports, DoctorRule::HIT_DISTANCE_CONSTANT, m_high.value(),
+                text("%s has the hit distance %.3g everywhere: store the distance from the surface to what the first "
+                     "bounce hits, normalised by REBLUR_FrontEnd_GetNormHitDist",
+                     slot, m_high.value()));
         // Something always lies closer to a surface than the camera does, but for paths that start at the camera.
-        if (m_shorter.total > kLeastSamples && m_shorter.value() < kRarely && m_touching.value() > kSometimes)
+        else if (m_shorter.total > kLeastSamples && m_shorter.value() < kRarely && m_touching.value() > kSometimes)
             add(reports, DoctorRule::HIT_DISTANCE_PRIMARY, m_shorter.value(),
                 text("only %.2f %% of the hit distances of %s are shorter than the way from the camera to the surface, "
                      "and %.0f %% just longer: measure from the primary hit on",
                      100.0 * m_shorter.value(), slot, 100.0 * m_touching.value()));
-        else if (m_high.value() - m_low.value() <= kSame * m_high.value())
-            reportConstant(reports);
+        else if (isConstant && m_ended.value() < kHardly && m_corners.value() > kManyCorners)
+            add(reports, DoctorRule::HIT_DISTANCE_CONSTANT, m_high.value(),
+                text("%s has the hit distance 1 everywhere, which stands for all that is long: measure from the "
+                     "primary hit on, not from the camera, and choose hitDistanceParameters in the scene's units",
+                     slot));
     }
 
 private:
@@ -67,28 +76,11 @@ private:
     static constexpr double kSaturated = 0.99;   // of the stored value, which ends at 1
     static constexpr double kSurely = 0.97;      // of the depth; hit distances are rounded to half floats
     static constexpr double kRarely = 0.002;
-    static constexpr double kTouching =
-        1.5; // of the depth: walls that meet give distances down to 0 beyond the camera's
+    static constexpr double kTouching = 1.5; // of the depth: beyond the camera's, walls that meet give any down to 0
     static constexpr double kSometimes = 0.03;
     static constexpr double kSame = 2e-3;
     static constexpr double kHardly = 1e-3;
     static constexpr double kManyCorners = 0.01; // otherwise one convex body may float in the sky
-
-    void reportConstant(Reports& reports) const
-    {
-        const char* const slot = toString(m_lobe.slot);
-        if (m_high.value() < kSaturated)
-            add(reports, DoctorRule::HIT_DISTANCE_CONSTANT, m_high.value(),
-                text("%s has the hit distance %.3g everywhere: store the distance from the surface to what the first "
-                     "bounce hits, normalised by REBLUR_FrontEnd_GetNormHitDist",
-                     slot, m_high.value()));
-        else if (m_ended.value() < kHardly && m_corners.value() > kManyCorners)
-            add(reports, DoctorRule::HIT_DISTANCE_CONSTANT, m_high.value(),
-                text(
-                    "%s has the hit distance 1 everywhere, which stands for all that is long: measure from the primary "
-                    "hit on, not from the camera, and choose hitDistanceParameters A and B in the scene's units",
-                    slot));
-    }
 
     // Whether a surface near it in the picture stands in the way of what the pixel sees, well within the range.
     bool isCorner(const Frame& frame, int x, int y) const

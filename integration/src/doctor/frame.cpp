@@ -48,14 +48,8 @@ double Frame::depthMismatch(const Camera::Pixel& point) const
 
 void Frame::dropImages()
 {
-    const DoctorFrame empty;
-    m_input.viewZ = empty.viewZ;
-    m_input.motion = empty.motion;
-    m_input.normalRoughness = empty.normalRoughness;
-    m_input.diffuse = empty.diffuse;
-    m_input.specular = empty.specular;
-    m_input.diffuseFactor = empty.diffuseFactor;
-    m_input.specularFactor = empty.specularFactor;
-    m_input.specularDirection = empty.specularDirection;
+    DoctorFrame rest;
+    rest.common = m_input.common;
+    m_input = rest;
 }
 } // namespace nrd::doctor
