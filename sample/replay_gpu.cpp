@@ -27,6 +27,8 @@ uint32_t unpackMode(ShResolve resolve)
     {
     case ShResolve::SphericalGaussians:
         return REPLAY_UNPACK_REBLUR_RESOLVE_SG;
+    case ShResolve::Restore:
+        return REPLAY_UNPACK_REBLUR_RESTORE;
     case ShResolve::SphericalHarmonics:
         return REPLAY_UNPACK_REBLUR_RESOLVE_SH;
     case ShResolve::None:

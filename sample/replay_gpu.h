@@ -20,6 +20,7 @@ enum class ShResolve : uint8_t
 {
     SphericalGaussians,
     SphericalHarmonics,
+    Restore, // NRD_SG_RestoreDiffuse and ...Specular
     None // extracted without a resolve
 };
 
@@ -30,7 +31,7 @@ struct ReplayGpuDesc
     std::vector<Assignment> settings; // on top of what the capture says
     std::string device;               // as engine::DeviceDesc::device
     bool validation = false;
-    ShResolve resolve = ShResolve::SphericalGaussians;
+    ShResolve resolve = ShResolve::Restore;
     float confidence = 1.0f;      // [0; 1], of every pixel where the settings ask for it
     float disocclusionMix = 0.0f; // [0; 1], likewise
     bool isOverlayWanted = false; // of enableValidation

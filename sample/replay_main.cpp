@@ -26,7 +26,7 @@ struct Options
     std::string device;
     std::vector<std::string> settings;
     std::vector<std::string> summary;
-    std::string resolve = "sg";
+    std::string resolve = "restore";
     std::optional<float> confidence;
     std::optional<float> disocclusionMix;
     size_t frameCount = 0; // 0: all
@@ -52,8 +52,8 @@ void declareOptions(CLI::App& app, Options& options)
     app.add_option("--peer", options.peer, "File with recorded figures, printed beside ours");
     app.add_option("--set", options.settings, "key=value: any field of the common or the denoiser's settings")
         ->take_all();
-    app.add_option("--resolve", options.resolve, "SH: sg or sh, the kind of the resolve, or none")
-        ->check(CLI::IsMember({"sg", "sh", "none"}));
+    app.add_option("--resolve", options.resolve, "SH: the kind of the resolve: restore (default), sg or sh; or none")
+        ->check(CLI::IsMember({"sg", "sh", "restore", "none"}));
     app.add_option("--confidence", options.confidence, "Of every pixel, with --set isHistoryConfidenceAvailable=true")
         ->check(CLI::Range(0.0f, 1.0f));
     app.add_option("--disocclusion-mix", options.disocclusionMix,
@@ -108,7 +108,8 @@ const ReplayDenoiser& chosenDenoiser(const Options& options)
 ShResolve chosenResolve(const Options& options)
 {
     if (options.resolve == "none") return ShResolve::None;
-    return options.resolve == "sh" ? ShResolve::SphericalHarmonics : ShResolve::SphericalGaussians;
+    if (options.resolve == "sg") return ShResolve::SphericalGaussians;
+    return options.resolve == "sh" ? ShResolve::SphericalHarmonics : ShResolve::Restore;
 }
 
 ReplayGpuDesc gpuDesc(const Options& options, const Capture& capture, const ReplayDenoiser& denoiser)

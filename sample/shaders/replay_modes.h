@@ -18,6 +18,7 @@
 #define REPLAY_UNPACK_REBLUR_EXTRACT 4    // SH: the colour without a resolve
 #define REPLAY_UNPACK_REBLUR_RESOLVE_SG 5 // SH: by spherical Gaussians
 #define REPLAY_UNPACK_REBLUR_RESOLVE_SH 6 // SH: by spherical harmonics
+#define REPLAY_UNPACK_REBLUR_RESTORE 7    // SH: what the pixel's own normal adds to its neighbours'
 
 #define REPLAY_HIT_DIST_MISS 65504.0 // recorded where a ray hit nothing
 

@@ -30,12 +30,37 @@ vec3 getViewVector(ivec2 pixel, float viewZ)
     return normalize(ray * mat3(g.worldToView)); // rigid: times the transpose is times the inverse
 }
 
+// Two pixels away: at one, a jittered frame's neighbours share too much of what they show.
+vec3 getReferenceNormal(ivec2 pixel, vec3 V, float roughness)
+{
+    const ivec2 offsets[4] = ivec2[](ivec2(-2, 0), ivec2(2, 0), ivec2(0, -2), ivec2(0, 2));
+    NRD_Neighborhood s;
+    s.normal = texelFetch(gIn_Guides, pixel, 0).xyz;
+    s.viewZ = texelFetch(gIn_Depth, pixel, 0).x;
+    for (int i = 0; i < 4; i++)
+    {
+        ivec2 neighbor = clamp(pixel + offsets[i], ivec2(0), ivec2(g.size) - 1);
+        s.neighborNormals[i] = texelFetch(gIn_Guides, neighbor, 0).xyz;
+        s.neighborViewZ[i] = texelFetch(gIn_Depth, neighbor, 0).x;
+    }
+    return NRD_GetReferenceNormal(s, V, roughness);
+}
+
+vec3 restore(NRD_SG lobe, ivec2 pixel, vec4 guides, vec3 V)
+{
+    bool isDiffuse = g.isDiffuse != 0u;
+    vec3 reference = getReferenceNormal(pixel, V, isDiffuse ? 1.0 : guides.w);
+    return isDiffuse ? NRD_SG_RestoreDiffuse(lobe, guides.xyz, reference)
+                     : NRD_SG_RestoreSpecular(lobe, guides.xyz, reference, V, guides.w);
+}
+
 vec3 resolve(NRD_SG lobe, ivec2 pixel)
 {
     if (g.mode == REPLAY_UNPACK_REBLUR_EXTRACT) return NRD_SG_ExtractColor(lobe);
     vec4 guides = texelFetch(gIn_Guides, pixel, 0);
     vec3 V = getViewVector(pixel, texelFetch(gIn_Depth, pixel, 0).x);
     bool isDiffuse = g.isDiffuse != 0u;
+    if (g.mode == REPLAY_UNPACK_REBLUR_RESTORE) return restore(lobe, pixel, guides, V);
     if (g.mode == REPLAY_UNPACK_REBLUR_RESOLVE_SH)
         return isDiffuse ? NRD_SH_ResolveDiffuse(lobe, guides.xyz)
                          : NRD_SH_ResolveSpecular(lobe, guides.xyz, V, guides.w);
