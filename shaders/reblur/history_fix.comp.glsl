@@ -33,7 +33,7 @@ layout(set = SET_RESOURCES, binding = 5 + SIGNAL_NUM) uniform texture2D gIn_Trac
 layout(set = SET_RESOURCES, binding = 4 + SIGNAL_NUM) uniform texture2D gIn_Fast;
 layout(set = SET_RESOURCES, binding = FIRST_OUT + SIGNAL_NUM) uniform writeonly image2D gOut_Fast;
 
-const int kRadius = 4;
+const int kRadius = 4 - 2 * IS_BOUNDED; // of the widest window
 const ivec2 kHalo = ivec2(8 + 2 * kRadius, 16 + 2 * kRadius);
 const float kAntiFireflySigmaScale = 2.0;
 const float kInvalid = -1.0; // lumas are not negative

@@ -60,8 +60,9 @@ TEST_CASE("open cavities let light in, closed ones and light from behind do not"
 {
     const auto shadow = [](double cavity, double nol)
     { return runFunction(FN_CAVITY, cavityAt(cavity, nol, 0.707, 1.0)).first[0]; };
-    CHECK(shadow(0.0, 1.0) == 1.0f);
-    CHECK(shadow(0.2, 1.0) == 1.0f); // the light fits through the opening
+    CHECK(shadow(0.0, 1.0) == Approx(1.0f).margin(1e-6));
+    CHECK(shadow(0.2, 1.0) ==
+          Approx(1.0f).margin(1e-6)); // devices round the last bit differently // the light fits through the opening
     CHECK(shadow(1.0, 1.0) == 0.0f);
     CHECK(shadow(0.5, -1.0) == 0.0f);
     CHECK(shadow(0.0, 0.3) > shadow(0.5, 0.3));
