@@ -19,8 +19,16 @@ void main()
     int lane = int(gl_LocalInvocationIndex);
     ivec2 tiles = (g.rectSizeMinusOne + TILE_SIZE) / TILE_SIZE;
     vec2 count = vec2(0.0);
-    for (int i = lane; i < tiles.x * tiles.y; i += 256)
-        count += texelFetch(gIn_Tiles, ivec2(i % tiles.x, i / tiles.x), 0).yz * float(CUT_SAMPLES_PER_TILE);
+    // Four at a time: one group alone has nothing else to hide the latency of its reads behind.
+    for (int first = lane; first < tiles.x * tiles.y; first += 4 * 256)
+    {
+        for (int i = 0; i < 4; i++)
+        {
+            int tile = first + i * 256;
+            vec2 counts = texelFetch(gIn_Tiles, min(ivec2(tile % tiles.x, tile / tiles.x), tiles - 1), 0).yz;
+            count += tile < tiles.x * tiles.y ? counts * float(CUT_SAMPLES_PER_TILE) : vec2(0.0);
+        }
+    }
     sCount[lane] = count;
     for (int stride = 128; stride > 0; stride /= 2)
     {
