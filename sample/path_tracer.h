@@ -5,8 +5,17 @@
 #include "engine/compute.h"
 #include "scene_pack.h"
 
+#include <nrd/settings.h>
+
 namespace sample
 {
+/// How many paths a frame spends on a pixel that has both lobes.
+enum class Lobes : uint8_t
+{
+    Both,         // one path for each
+    Probabilistic // one path: for the lobe that chance picks, its radiance divided by the probability
+};
+
 struct TracerDesc
 {
     uint32_t width = 0;      // pixels, > 0
@@ -18,6 +27,9 @@ struct TracerDesc
     float roughening = 0.5f;
     // A single path's demodulated radiance is scaled down to this in its brightest channel.
     float maxRadiance = 250.0f;
+    // Both are of frames; references always have all samples. What a pixel does not trace is 0 in every component.
+    Lobes lobes = Lobes::Both;
+    nrd::CheckerboardMode checkerboard = nrd::CheckerboardMode::OFF; // each lobe in its half of the pixels
     glm::vec3 hitDistanceParameters = glm::vec3(3.0f, 0.1f, 20.0f); // A (world units), B, C
 };
 
