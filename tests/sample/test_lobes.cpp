@@ -132,7 +132,7 @@ TEST_CASE("frames of one lobe per pixel have the mean of frames of both, where l
         desc.height = 24;
         return FrameTracer(scene, &sky, desc, lookAt({0, 1, 3}, {0, 0, 0}, 0.6f, 16.0f / 24.0f, 0.01f));
     };
-    checkEqualMeans(create, 256, 0.01);
+    checkEqualMeans(create, 512, 0.01);
 }
 
 TEST_CASE("frames of one lobe per pixel have the mean of frames of both in the Cornell box", "[gpu]")
