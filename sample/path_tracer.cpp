@@ -37,8 +37,14 @@ std::vector<uint32_t> specializationOf(const Scene& scene, bool hasEnvironment, 
     const bool hasMask = any(scene.materials, [](const Material& m) { return m.alphaCutoff > 0.0f; });
     const bool hasEmission = any(scene.materials, [](const Material& m) { return glm::length(m.emission) > 0.0f; });
     const bool hasPunctual = any(scene.nodes, [](const Node& n) { return n.light != kNone; });
-    return {usesTextures(scene), hasMask, hasEmission, hasPunctual, hasEnvironment, !scene.channels.empty(),
-            frames.lobes == Lobes::Probabilistic, static_cast<uint32_t>(frames.checkerboard)};
+    return {usesTextures(scene),
+            hasMask,
+            hasEmission,
+            hasPunctual,
+            hasEnvironment,
+            !scene.channels.empty(),
+            frames.lobes == Lobes::Probabilistic,
+            static_cast<uint32_t>(frames.checkerboard)};
 }
 
 uint32_t environmentLight(const SceneLights& lights)

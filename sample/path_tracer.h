@@ -30,7 +30,7 @@ struct TracerDesc
     // Both are of frames; references always have all samples. What a pixel does not trace is 0 in every component.
     Lobes lobes = Lobes::Both;
     nrd::CheckerboardMode checkerboard = nrd::CheckerboardMode::OFF; // each lobe in its half of the pixels
-    glm::vec3 hitDistanceParameters = glm::vec3(3.0f, 0.1f, 20.0f); // A (world units), B, C
+    glm::vec3 hitDistanceParameters = glm::vec3(3.0f, 0.1f, 20.0f);  // A (world units), B, C
 };
 
 /// What one frame leaves behind; meaning as in the capture format, unless noted. Floats, so that no device's rounding
