@@ -117,6 +117,7 @@ void addLobes(CLI::App& app, Options& o)
                for (const std::string& text : texts) o.settings.push_back(parseAssignment(text));
            },
            "A field of the common or the denoiser's settings, such as maxBlurRadius=20; may be repeated")
+        ->allow_extra_args(false) // or SCENE after it would be taken for a setting
         ->option_text("KEY=VALUE");
     addNamed(
         app, "--lobes", kLobeNames, o.lobes,
