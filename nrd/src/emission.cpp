@@ -113,12 +113,12 @@ void Instance::emit(CompiledDenoiser& denoiser)
 
     const CommonSettings common = isReset ? withoutPreviousFrame(m_common) : m_common;
     const FrameState frame = makeFrameState(common, m_frameRateScale);
-    const Lobes lobes = denoiser.program.variant->lobes;
-    const Request request = {common, denoiser.settings, frame, last, lobes, isReset};
+    const Variant& variant = *denoiser.program.variant;
+    const Request request = {common, denoiser.settings, frame, last, variant, isReset};
     m_constantBlock = emitConstants(denoiser, request);
 
     if (isCleared) emitClears(denoiser);
-    const Conditions conditions = {common, denoiser.settings, m_desc.normalEncoding, lobes};
+    const Conditions conditions = {common, denoiser.settings, m_desc.normalEncoding, variant};
     for (size_t i = 0; i < denoiser.program.passes.size(); i++)
     {
         if (denoiser.program.passes[i].row->runsIf(conditions)) emitPass(denoiser, i, conditions);

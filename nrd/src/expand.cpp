@@ -19,6 +19,9 @@ Format formatOf(const TextureFormat& format, const Variant& variant, size_t sign
         return format.first;
     case FormatRule::PerLobes:
         return variant.lobes == kBoth ? format.second : format.first;
+    case FormatRule::Luma:
+        if (has(variant, kColor)) return variant.lobes == kBoth ? Format::RG16_SFLOAT : Format::R16_SFLOAT;
+        return variant.lobes == kBoth ? Format::RG8_UNORM : Format::R8_UNORM;
     case FormatRule::PerSignal:
         return variant.signals[signal].format;
     case FormatRule::Guide:
@@ -31,7 +34,7 @@ void addTextures(Program& program, NormalEncoding encoding)
 {
     for (const TextureRow& row : program.family->textures)
     {
-        if (!hasLobe(program.variant->lobes, row.lobes)) continue;
+        if (!has(*program.variant, row.having)) continue;
         const size_t num = row.format.rule == FormatRule::PerSignal ? program.variant->signals.size() : 1;
         for (size_t signal = 0; signal < num; signal++)
         {
@@ -73,7 +76,7 @@ void addSlots(const Program& program, const FixedList<Slot, SlotNum>& slots, Fix
 {
     for (const Slot& slot : slots)
     {
-        if (!hasLobe(program.variant->lobes, slot.lobes)) continue;
+        if (!has(*program.variant, slot.having)) continue;
         const size_t num = slot.place.isEach ? program.variant->signals.size() : 1;
         for (size_t signal = 0; signal < num; signal++)
         {
@@ -118,6 +121,16 @@ VariantOfFamily findVariant(Denoiser denoiser)
     return {};
 }
 
+namespace
+{
+Shader shaderOf(const PassRow& row, const VariantOfFamily& which)
+{
+    size_t index = 0;
+    for (size_t i = 0; i < which.variant; i++) index += has(which.family->variants[i], row.having) ? 1 : 0;
+    return row.shaders[index];
+}
+} // namespace
+
 Program expand(const VariantOfFamily& which, NormalEncoding encoding)
 {
     Program program;
@@ -126,13 +139,14 @@ Program expand(const VariantOfFamily& which, NormalEncoding encoding)
     addTextures(program, encoding);
     for (const PassRow& row : which.family->passes)
     {
+        if (!has(*program.variant, row.having)) continue;
         Pass pass;
         pass.row = &row;
-        pass.shader = row.shaders.of(which.variant);
+        pass.shader = shaderOf(row, which);
         addSlots(program, row.reads, pass.reads);
         addSlots(program, row.writes, pass.writes);
         for (const SwitchRow& toggle : row.switches)
-            if (hasLobe(program.variant->lobes, toggle.lobes)) pass.switches.push(toggle);
+            if (has(*program.variant, toggle.having)) pass.switches.push(toggle);
         program.passes.push(pass);
     }
     return program;

@@ -32,13 +32,39 @@ enum Lobes : uint8_t
 // One alternative per family; the family's default is what a new denoiser starts with.
 using FamilySettings = std::variant<ReblurSettings, ReferenceSettings>;
 
+// What a signal consists of. One value for a variant, several for what a row applies to.
+enum Kinds : uint8_t
+{
+    kAnyKind = 0,
+    kRadiance = 1,             // colour and hit distance
+    kSphericalHarmonics = 2,   // the same, and a direction
+    kOcclusion = 4,            // hit distance
+    kDirectionalOcclusion = 8, // hit distance and a direction
+    kColor = kRadiance | kSphericalHarmonics,
+    kStabilized = kColor | kDirectionalOcclusion
+};
+
+// The variants a row applies to: those that have one of the lobes and are of one of the kinds.
+struct Having
+{
+    constexpr Having() = default;
+    constexpr Having(Lobes l) : lobes(l) {}
+    constexpr Having(Kinds k) : kinds(k) {}
+    constexpr Having(Lobes l, Kinds k) : lobes(l), kinds(k) {}
+
+    Lobes lobes = kNoLobe;  // kNoLobe = whatever the lobes
+    Kinds kinds = kAnyKind; // kAnyKind = whatever the kind
+};
+
+struct Variant;
+
 // What the conditions of a table may depend on.
 struct Conditions
 {
     const CommonSettings& common;
     const FamilySettings& settings;
     NormalEncoding normalEncoding;
-    Lobes lobes;
+    const Variant& variant;
 };
 using Predicate = bool (*)(const Conditions&);
 
@@ -71,7 +97,7 @@ struct Slot
     Place place;
     Place otherwise;            // bound when isUsed says no
     Predicate isUsed = nullptr; // null = always
-    Lobes lobes = kNoLobe;      // lobes of which the variant must have one, kNoLobe = any variant
+    Having having;
 };
 
 // The four words of the pass tables, besides plain keys and resource types.
@@ -80,9 +106,9 @@ template <class Key> constexpr Place each(Key key) { return {Source::Table, stat
 constexpr Place kEachInput = {Source::SignalInput, 0, false, true};
 constexpr Place kEachOutput = {Source::SignalOutput, 0, false, true};
 
-constexpr Slot only(Lobes lobes, Slot slot)
+constexpr Slot only(Having having, Slot slot)
 {
-    slot.lobes = lobes;
+    slot.having = having;
     return slot;
 }
 constexpr Slot choose(Predicate condition, Slot slot, Place otherwise)
@@ -101,6 +127,7 @@ enum class FormatRule : uint8_t
 {
     Fixed,     // first
     PerLobes,  // one scalar per lobe in one texture: first for one lobe, second for two
+    Luma,      // the same, half floats for colour, 8 bits for what lies in [0; 1]
     PerSignal, // one texture per signal of the variant, in the signal's format
     Guide      // as IN_NORMAL_ROUGHNESS
 };
@@ -113,6 +140,7 @@ struct TextureFormat
 };
 constexpr TextureFormat fixed(Format format) { return {FormatRule::Fixed, format, format}; }
 constexpr TextureFormat perLobes(Format one, Format two) { return {FormatRule::PerLobes, one, two}; }
+constexpr TextureFormat kLuma = {FormatRule::Luma, Format::MAX_NUM, Format::MAX_NUM};
 constexpr TextureFormat kPerSignal = {FormatRule::PerSignal, Format::MAX_NUM, Format::MAX_NUM};
 constexpr TextureFormat kGuide = {FormatRule::Guide, Format::MAX_NUM, Format::MAX_NUM};
 
@@ -129,9 +157,11 @@ struct TextureRow
     const char* name; // as in the shaders' bindings
     TextureFormat format;
     Lifetime lifetime;
-    uint8_t downsampleFactor = 1;
-    Lobes lobes = kNoLobe; // lobes of which the variant must have one, kNoLobe = any variant
+    uint16_t downsampleFactor = 1;
+    Having having = {};
 };
+
+constexpr uint16_t kOneTexel = 0xFFFF; // downsample factor that leaves a single texel of any size
 
 // One noisy input and its denoised output. A variant has one per lobe, with spherical harmonics two.
 struct SignalRow
@@ -146,27 +176,37 @@ struct Variant
 {
     Denoiser key;
     Lobes lobes;
-    FixedList<SignalRow, 4> signals;
+    Kinds kind;
+    FixedList<SignalRow, 4> signals; // with a second texture per lobe, those come after the first ones
 };
 
-constexpr size_t kVariantMaxNum = 10;
+constexpr bool has(const Variant& variant, Having needed)
+{
+    return (needed.lobes == kNoLobe || (variant.lobes & needed.lobes) != 0) &&
+           (needed.kinds == kAnyKind || (variant.kind & needed.kinds) != 0);
+}
 
-// The shader of a pass for each variant, in the order of the family's variants; a single one serves all of them.
+// The shader of a pass for each variant to which the pass applies: enumerators from first to last, in the order of the
+// family's variants, as the shader list declares them. One that is alone serves all of them.
 struct ShaderSet
 {
-    constexpr ShaderSet() = default;
-    constexpr ShaderSet(Shader one) : shaders{one} {}
-    constexpr ShaderSet(std::initializer_list<Shader> all) : shaders(all) {}
-    constexpr Shader of(size_t variant) const { return shaders[shaders.size() == 1 ? 0 : variant]; }
+    constexpr ShaderSet(Shader one) : first(one), last(one) {}
+    constexpr ShaderSet(Shader f, Shader l) : first(f), last(l) {}
+    constexpr size_t size() const { return static_cast<size_t>(last) - static_cast<size_t>(first) + 1; }
+    constexpr Shader operator[](size_t i) const
+    {
+        return static_cast<Shader>(static_cast<size_t>(first) + (size() == 1 ? 0 : i));
+    }
 
-    FixedList<Shader, kVariantMaxNum> shaders;
+    Shader first;
+    Shader last;
 };
 
 struct SwitchRow
 {
     uint32_t constantId = 0; // SPEC_..., a bool in the shader
     Predicate isOn = nullptr;
-    Lobes lobes = kNoLobe; // lobes of which the variant must have one, kNoLobe = any variant
+    Having having = {};
 };
 
 struct GroupSize
@@ -183,7 +223,8 @@ struct PassRow
     GroupSize group;
     Predicate runsIf;
     FixedList<SwitchRow, 5> switches = {}; // each doubles the number of pipelines
-    uint8_t gridFactor = 1;                // the grid covers ceil(rect / gridFactor)
+    uint16_t gridFactor = 1;               // the grid covers ceil(rect / gridFactor)
+    Having having = {};
 };
 
 struct FrameState;
@@ -207,7 +248,7 @@ struct Request
     const FamilySettings& settings;
     const FrameState& frame;
     const RequestHistory& history; // of the last request
-    Lobes lobes;
+    const Variant& variant;
     bool isReset;
 };
 
@@ -227,15 +268,14 @@ struct Family
     RequestHistory (*advance)(const Request& request);          // the history after this request
 };
 
-constexpr bool hasLobe(Lobes present, Lobes needed) { return needed == kNoLobe || (present & needed) != 0; }
-
-// Every pass has one shader for all variants or exactly one for each.
-constexpr bool shadersMatchVariants(std::span<const PassRow> passes, size_t variantNum)
+// Every pass has one shader for all of its variants or exactly one for each.
+constexpr bool shadersMatchVariants(std::span<const PassRow> passes, std::span<const Variant> variants)
 {
     for (const PassRow& pass : passes)
     {
-        const size_t num = pass.shaders.shaders.size();
-        if (num != 1 && num != variantNum) return false;
+        size_t num = 0;
+        for (const Variant& variant : variants) num += has(variant, pass.having) ? 1 : 0;
+        if (pass.shaders.size() != 1 && pass.shaders.size() != num) return false;
     }
     return true;
 }

@@ -90,7 +90,7 @@ Result Instance::getRequiredResources(Identifier identifier, const ResourceRequi
     if (!denoiser) return fail(unknownIdentifier(identifier));
 
     const Program& program = denoiser->program;
-    const Conditions conditions = {m_common, denoiser->settings, m_desc.normalEncoding, program.variant->lobes};
+    const Conditions conditions = {m_common, denoiser->settings, m_desc.normalEncoding, *program.variant};
     m_requirements.clear();
     for (uint32_t i = 0; i < static_cast<uint32_t>(ResourceType::TRANSIENT_POOL); i++) // inputs come before outputs
     {

@@ -46,11 +46,6 @@ void checkModes(Checker& check, const ReblurSettings& s)
 {
     check.enumerator("checkerboardMode", s.checkerboardMode);
     check.enumerator("hitDistanceReconstructionMode", s.hitDistanceReconstructionMode);
-    check.unsupported(s.checkerboardMode != CheckerboardMode::OFF, "checkerboardMode",
-                      "is not OFF, but this version takes full-resolution signals only");
-    check.unsupported(s.hitDistanceReconstructionMode != HitDistanceReconstructionMode::OFF,
-                      "hitDistanceReconstructionMode",
-                      "is not OFF, but this version does not reconstruct hit distances");
 }
 } // namespace
 

@@ -97,6 +97,7 @@ void checkMotion(Checker& check, const CommonSettings& s)
 
 void checkScalars(Checker& check, const CommonSettings& s)
 {
+    check.aboveUpTo("metersToUnits", s.metersToUnits, 0.0f, kHuge);
     check.aboveUpTo("viewZScale", s.viewZScale, 0.0f, kHuge);
     check.inside("timeDeltaBetweenFrames", s.timeDeltaBetweenFrames, 0.0f, kHuge);
     check.aboveUpTo("denoisingRange", s.denoisingRange, 0.0f, kHuge);

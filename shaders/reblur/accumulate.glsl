@@ -6,6 +6,7 @@
 #else
 #include "surface_track.glsl"
 #endif
+#include "checkerboard.glsl"
 
 const float kFireflyHeadroom = 38.0;
 const ivec2 kHalo = ivec2(10, 18); // an 8x16 group and one texel round it
@@ -13,11 +14,15 @@ const ivec2 kHalo = ivec2(10, 18); // an 8x16 group and one texel round it
 shared vec4 sNormalViewZ[kHalo.y][kHalo.x]; // viewZ: 0 = out of range
 shared float sTracking[kHalo.y][kHalo.x];   // distance to what is reflected, 0 = unknown
 
-// World units with the pre-pass; without it normalised by the neighbour's own distance and roughness.
+// World units with the pre-pass; without it normalised by the neighbour's own distance and roughness. Occlusion always
+// looks at the input: what is accumulated may be overwritten by other groups meanwhile.
 float trackingCandidate(ivec2 pixel)
 {
-#if HAS_SPECULAR
     bool isValid;
+#if HAS_SPECULAR && SIGNAL == 2
+    if (!hasData(pixel, true)) return 0.0;
+    return sanitize(texelFetch(gIn_SpecularHitDist, inputTexel(pixel), 0), isValid).w;
+#elif HAS_SPECULAR
     return kHasPrepass ? texelFetch(gIn_TrackNew, pixel, 0).x : sanitize(texelFetch(gIn_Specular, pixel, 0), isValid).w;
 #else
     return 0.0;
@@ -86,16 +91,42 @@ HistoryRead surfaceRead(SurfaceTrack track)
     return HistoryRead(clamp(track.uv, 0.0, 1.0) * g.rectSizePrev, track.footprint.origin, track.weights, track.isCubic);
 }
 
-vec4 readHistory(texture2D t, HistoryRead read)
+vec4 readTexture(texture2D t, HistoryRead read)
 {
     // Catmull-Rom keeps a moving history sharp; over invalid texels it would ring and leak.
     if (read.isCubic) return fetchCatmullRom(t, gLinearClamp, makeCatmullRom(read.position, g.resourceSizeInvPrev));
     return fetchBilinear(t, read.origin, read.weights, lastPrevTexel());
 }
 
-vec4 readSignal(texture2D t, HistoryRead read) { return clampNegatives(readHistory(t, read)); }
+Signal readHistory(texture2D t, texture2D second, HistoryRead read)
+{
+    vec4 value = clampNegatives(readTexture(t, read));
+    if (!kIsSh) return Signal(value, vec3(0.0));
+    bool isFound = dot(read.weights, vec4(1.0)) >= 1e-4;
+    vec3 axis = decodeAxis(fetchBilinear(second, read.origin, read.weights, lastPrevTexel()).xyz);
+    return Signal(value, isFound ? axis * value.x : vec3(0.0));
+}
 
-float readStabilized(int channel, HistoryRead read) { return max(readHistory(gIn_Stab, read)[channel], 0.0); }
+// The pre-pass has made sure that everything is finite.
+Signal readAccumulated(texture2D t, texture2D second, ivec2 pixel, out bool isValid)
+{
+    isValid = true;
+    return kHasPrepass ? readSignal(t, second, pixel) : readInput(t, second, pixel, isValid);
+}
+
+float readStabilized(int channel, HistoryRead read)
+{
+#if IS_STABILIZED
+    if (kHasStabilization) return max(readTexture(gIn_Stab, read)[channel], 0.0);
+#endif
+    return 0.0;
+}
+
+// A pixel of a checkerboard without data was guessed from its neighbours and counts for less.
+float dataShare(ivec2 pixel, bool isSpecular, float n)
+{
+    return hasData(pixel, isSpecular) ? 1.0 : mix(1.0 - g.checkerboardResolve, 1.0, newSampleWeight(n));
+}
 
 // How much a limit relative to the history counts: not at all without history.
 float fireflyBlend(float n)
@@ -106,21 +137,23 @@ float fireflyBlend(float n)
 
 float fireflyScale(float n) { return g.fireflyMinScale + kFireflyHeadroom / (n + 1.0); }
 
-// Running mean up to the cap. Hit distances react faster the more mirror-like the lobe: they steer weights and tracking.
-vec4 mixHistory(vec4 history, vec4 signal, float n, float roughness)
+// Running mean up to the cap; share: of the new sample's weight. Hit distances react faster the more mirror-like the
+// lobe: they steer weights and tracking.
+Signal mixHistory(Signal history, Signal signal, float n, float share, float roughness)
 {
     // Selected: mix() with weight 1 may round differently for different histories, and none may show after a cut.
     if (n == 0.0) return signal;
-    float weight = newSampleWeight(n);
+    float weight = newSampleWeight(n) * share;
     float spread = NRD_GetLobeSpread(roughness, 0.25);
-    float hitDistWeight = max(weight, 1.0 / (1.0 + 0.5 * spread * g.maxAccumulatedFrameNum));
-    vec4 mixed = vec4(mix(history.xyz, signal.xyz, weight), mix(history.w, signal.w, hitDistWeight));
+    float hitDistWeight = max(weight, share / (1.0 + 0.5 * spread * g.maxAccumulatedFrameNum));
+    if (kIsBounded) return mixSignals(history, signal, weight, weight);
+    Signal mixed = mixSignals(history, signal, weight, hitDistWeight);
     float blend = fireflyBlend(n);
-    float luma = mix(mixed.x, min(mixed.x, history.x * fireflyScale(n)), blend);
+    float Y = luma(mixed);
     // An unknown distance in the history limits nothing.
-    float maxHitDist = history.w > 0.0 ? history.w * (1.2 + 1.0 / (n + 1.0)) : 1.0;
-    mixed.w = mix(mixed.w, min(mixed.w, maxHitDist), blend);
-    return changeLuma(mixed, luma);
+    float maxHitDist = history.value.w > 0.0 ? history.value.w * (1.2 + 1.0 / (n + 1.0)) : 1.0;
+    mixed.value.w = mix(mixed.value.w, min(mixed.value.w, maxHitDist), blend);
+    return changeLuma(mixed, mix(Y, min(Y, luma(history) * fireflyScale(n)), blend));
 }
 
 // The short history that is never blurred.
@@ -129,7 +162,7 @@ float mixFast(float history, float signal, float weight) { return weight == 1.0 
 // Otherwise blotches travel over the picture during rotation at high frame rates.
 float limitFast(float fast, float historyLuma, float n)
 {
-    return mix(fast, min(fast, historyLuma * 4.0 * fireflyScale(n)), fireflyBlend(n));
+    return kIsBounded ? fast : mix(fast, min(fast, historyLuma * 4.0 * fireflyScale(n)), fireflyBlend(n));
 }
 
 #endif

@@ -15,7 +15,8 @@ float trackingDistance(Surface s)
         nearest = candidate > 0.0 ? min(nearest, candidate) : nearest;
     }
     if (nearest == 1e30) return 0.0;
-    float hitDist = kHasPrepass ? nearest : getHitDist(nearest, s.viewZ, s.guide.roughness);
+    bool isWorld = kHasPrepass && !kIsOcclusion;
+    float hitDist = isWorld ? nearest : getHitDist(nearest, s.viewZ, s.guide.roughness);
     return min(hitDist, kTrackingMax);
 }
 
@@ -82,7 +83,7 @@ float surfaceConfidence(Surface s, SurfaceTrack track, float roughness, float no
     float angle = atan(track.parallaxMax * s.pixelSize / max(length(s.X), 1e-6)) * mix(0.1, 1.0, motion);
     float weight = newSampleWeight(track.n[kSpecularChannel]);
     vec2 uv = clamp(track.uv, 0.0, 1.0) * g.rectSizePrev * g.resourceSizeInvPrev;
-    float history = textureLod(sampler2D(gIn_SpecularHistory, gLinearClamp), uv, 0.0).w;
+    float history = decodeValue(textureLod(sampler2D(gIn_SpecularHistory, gLinearClamp), uv, 0.0)).w;
     float mixed = weight == 1.0 ? normHitDist : mix(history, normHitDist, weight);
     float hitDist = getHitDist(mixed, s.viewZ, s.guide.roughness);
     float factor = hitDistFactor(hitDist, s.frustumSize);
@@ -114,7 +115,7 @@ LobeResult accumulateSpecular(Surface s, SurfaceTrack surface)
     imageStore(gOut_Track, s.pixel, vec4(hitDist));
     float roughness = widenedRoughness(s);
     bool isValid;
-    vec4 signal = sanitize(texelFetch(gIn_Specular, s.pixel, 0), isValid);
+    Signal signal = readAccumulated(gIn_Specular, gIn_SpecularSh, s.pixel, isValid);
     float motion = saturate(length((surface.uv - s.uv) * g.rectSize) / 0.25);
     VirtualTrack image = trackVirtual(s, surface, hitDist, motionCurvature(s, surface));
 
@@ -125,7 +126,7 @@ LobeResult accumulateSpecular(Surface s, SurfaceTrack surface)
         confidence.y = min(confidence.y, textureLod(sampler2D(gIn_SpecularConfidence, gLinearClamp), image.uv, 0.0).x);
     }
     vec2 n = vec2(applyConfidence(surface.n[kSpecularChannel], confidence.x), applyConfidence(image.n, confidence.y));
-    vec2 trust = vec2(surfaceConfidence(s, surface, roughness, signal.w, motion), image.confidence);
+    vec2 trust = vec2(surfaceConfidence(s, surface, roughness, signal.value.w, motion), image.confidence);
     vec2 responsive = vec2(responsiveLength(roughness, dot(surface.NoN, surface.footprint.bilinear)),
                            responsiveLength(roughness, image.NoN));
     n = min(n, g.maxAccumulatedFrameNum * trust);
@@ -147,19 +148,20 @@ LobeResult accumulateSpecular(Surface s, SurfaceTrack surface)
 
     float length = mix(n.x, n.y, amount);
     result.n = mix(nFix.x, nFix.y, amount);
-    vec4 history = readSignal(gIn_SpecularHistory, read);
+    Signal history = readHistory(gIn_SpecularHistory, gIn_SpecularHistorySh, read);
     if (!isValid) signal = history;
-    vec4 mixed = mixHistory(history, signal, length, s.guide.roughness);
-    imageStore(gOut_Specular, s.pixel, roundToHalf(mixed));
+    float share = dataShare(s.pixel, true, length);
+    Signal mixed = mixHistory(history, signal, length, share, s.guide.roughness);
+    storeSignal(gOut_Specular, gOut_SpecularSh, s.pixel, mixed);
     float fastHistory = fetchBilinear(gIn_Fast, read.origin, read.weights, lastPrevTexel())[kSpecularChannel];
     float fastLength = g.maxFastAccumulatedFrameNum;
     if (kHasMaterialTest && s.guide.materialID == g.strandMaterialID)
         fastLength = max(fastLength, g.maxAccumulatedFrameNum * 0.2);
-    float fastWeight = max(1.0 - mix(trust.x, trust.y, amount), newSampleWeight(min(length, fastLength)));
-    result.fast = limitFast(mixFast(fastHistory, signal.x, fastWeight), history.x, length);
-    result.stabHistory = kHasStabilization ? readStabilized(kSpecularChannel, read) : 0.0;
+    float fastWeight = max(1.0 - mix(trust.x, trust.y, amount), newSampleWeight(min(length, fastLength)) * share);
+    result.fast = limitFast(mixFast(fastHistory, luma(signal), fastWeight), luma(history), length);
+    result.stabHistory = readStabilized(kSpecularChannel, read);
     float valid = mix(dot(surface.weights, vec4(1.0)), dot(image.weights, vec4(1.0)), amount);
-    result.stabWeight = g.isHistoryReset != 0u ? 0.0 : sqrt(saturate(valid));
+    result.stabWeight = isHistoryReset() ? 0.0 : sqrt(saturate(valid));
     return result;
 }
 

@@ -9,18 +9,29 @@ layout(set = SET_RESOURCES, binding = 0) uniform texture2D gIn_Tiles;
 layout(set = SET_RESOURCES, binding = 1) uniform texture2D gIn_ViewZ;
 layout(set = SET_RESOURCES, binding = 2) uniform texture2D gIn_NormalRoughness;
 layout(set = SET_RESOURCES, binding = 3) uniform texture2D gIn_Length;
-#define FIRST_OUT (5 + LOBE_NUM + HAS_SPECULAR)
+#define HAS_TRACK (HAS_SPECULAR * (1 - IS_BOUNDED))
+#define FIRST_OUT (5 + SIGNAL_NUM + HAS_TRACK)
 #if HAS_DIFFUSE
 layout(set = SET_RESOURCES, binding = 4) uniform texture2D gIn_Diffuse;
 layout(set = SET_RESOURCES, binding = FIRST_OUT) uniform writeonly image2D gOut_Diffuse;
+#if IS_SH
+layout(set = SET_RESOURCES, binding = 4 + LOBE_NUM) uniform texture2D gIn_DiffuseSh;
+layout(set = SET_RESOURCES, binding = FIRST_OUT + LOBE_NUM) uniform writeonly image2D gOut_DiffuseSh;
+#endif
 #endif
 #if HAS_SPECULAR
 layout(set = SET_RESOURCES, binding = 3 + LOBE_NUM) uniform texture2D gIn_Specular;
-layout(set = SET_RESOURCES, binding = 5 + LOBE_NUM) uniform texture2D gIn_Track;
 layout(set = SET_RESOURCES, binding = FIRST_OUT + LOBE_NUM - 1) uniform writeonly image2D gOut_Specular;
+#if IS_SH
+layout(set = SET_RESOURCES, binding = 3 + 2 * LOBE_NUM) uniform texture2D gIn_SpecularSh;
+layout(set = SET_RESOURCES, binding = FIRST_OUT + 2 * LOBE_NUM - 1) uniform writeonly image2D gOut_SpecularSh;
 #endif
-layout(set = SET_RESOURCES, binding = 4 + LOBE_NUM) uniform texture2D gIn_Fast;
-layout(set = SET_RESOURCES, binding = FIRST_OUT + LOBE_NUM) uniform writeonly image2D gOut_Fast;
+#if HAS_TRACK
+layout(set = SET_RESOURCES, binding = 5 + SIGNAL_NUM) uniform texture2D gIn_Track;
+#endif
+#endif
+layout(set = SET_RESOURCES, binding = 4 + SIGNAL_NUM) uniform texture2D gIn_Fast;
+layout(set = SET_RESOURCES, binding = FIRST_OUT + SIGNAL_NUM) uniform writeonly image2D gOut_Fast;
 
 const int kRadius = 4;
 const ivec2 kHalo = ivec2(8 + 2 * kRadius, 16 + 2 * kRadius);
@@ -167,15 +178,15 @@ float fixTapWeight(Pixel p, Lobe lobe, bool isSpecular, ivec2 pixel, Weights w)
 }
 
 // 5x5 grid without corners and centre; taps that already have history count for more.
-vec4 fixHistory(texture2D signal, Pixel p, Lobe lobe, bool isSpecular, ivec2 position, float n, float amount,
-                float tracking)
+Signal fixHistory(texture2D t, texture2D second, Pixel p, Lobe lobe, bool isSpecular, ivec2 position, float n,
+                  float amount, float tracking)
 {
-    vec4 centre = texelFetch(signal, position, 0);
+    Signal centre = readSignal(t, second, position);
     float alpha = newSampleWeight(n);
     float spread = NRD_GetLobeSpread(lobe.roughness, 0.25);
-    float hitDist = getHitDist(centre.w, p.viewZ, lobe.roughness);
+    float hitDist = getHitDist(centre.value.w, p.viewZ, lobe.roughness);
     // Tracking distance guides sharp lobes better, but as a minimum it is too small for rough ones.
-    if (isSpecular) hitDist = mix(tracking, hitDist, spread);
+    if (isSpecular && !kIsBounded) hitDist = mix(tracking, hitDist, spread);
     float reference = REBLUR_FrontEnd_GetNormHitDist(hitDist, p.viewZ, g.hitDistanceParameters.xyz, lobe.roughness);
     bool isAlternate = kHasMaterialTest && p.guide.materialID == g.historyFixAlternateMaterialID;
     float stride = 0.5 * amount * (isAlternate ? g.historyFixAlternateStride : g.historyFixStride);
@@ -187,7 +198,7 @@ vec4 fixHistory(texture2D signal, Pixel p, Lobe lobe, bool isSpecular, ivec2 pos
     Weights w = makeWeights(p, lobe, isSpecular, alpha, 1.0, 0.0);
     float m = square(lobe.roughness);
     w.roughness = 1.0 / mix(0.01, 1.0, mix(m * m, m, saturate(sqrt(g.roughnessFraction))));
-    vec4 sum = centre * (1.0 + n);
+    Signal sum = scaled(centre, 1.0 + n);
     float weightSum = 1.0 + n;
     int channel = isSpecular ? kSpecularChannel : 0;
     for (int i = 0; i < 25; i++)
@@ -196,13 +207,13 @@ vec4 fixHistory(texture2D signal, Pixel p, Lobe lobe, bool isSpecular, ivec2 pos
         if (i == 12 || abs(offset.x) + abs(offset.y) == 4) continue;
         ivec2 pixel = mirrorPixel(position + offset * step);
         float weight = fixTapWeight(p, lobe, isSpecular, pixel, w);
-        vec4 value = texelFetch(signal, pixel, 0);
-        weight *= heavy(abs(value.w - reference) * w.hitDist);
+        Signal value = readSignal(t, second, pixel);
+        weight *= heavy(abs(value.value.w - reference) * w.hitDist);
         weight *= 1.0 + unpackLengths(texelFetch(gIn_Length, pixel, 0).xy)[channel];
-        sum += weight > 0.0 ? value * weight : vec4(0.0);
-        weightSum += weight;
+        sum = addWeighted(sum, value, weight);
+        weightSum += weight > 0.0 ? weight : 0.0; // not NaN
     }
-    return sum / weightSum;
+    return scaled(sum, 1.0 / weightSum);
 }
 
 float clampTo(float value, Moments m, int lobe, float scale)
@@ -233,27 +244,30 @@ void main()
     vec2 n = unpackLengths(texelFetch(gIn_Length, position, 0).xy);
     vec2 amount = fixAmount(position, n);
     vec2 share = clamp(n / max(g.historyFixFrameNum, 1e-3), 0.0, 1.0);
-    vec4 signals[2] = vec4[](vec4(0.0), vec4(0.0)); // by channel
+    Signal signals[2] = Signal[](kNoSignal, kNoSignal); // by channel
 #if HAS_DIFFUSE
     Lobe diffuse = Lobe(1.0, g.minMaterialForDiffuse, 0.0);
-    signals[0] = fixHistory(gIn_Diffuse, p, diffuse, false, position, n.x, amount.x, 0.0);
+    signals[0] = fixHistory(gIn_Diffuse, gIn_DiffuseSh, p, diffuse, false, position, n.x, amount.x, 0.0);
 #endif
 #if HAS_SPECULAR
     Lobe specular = Lobe(p.guide.roughness, g.minMaterialForSpecular, 0.0);
-    signals[kSpecularChannel] = fixHistory(gIn_Specular, p, specular, true, position, n[kSpecularChannel],
-                                           amount[kSpecularChannel], texelFetch(gIn_Track, position, 0).x);
+    float tracking = 0.0;
+#if HAS_TRACK
+    tracking = texelFetch(gIn_Track, position, 0).x;
+#endif
+    signals[kSpecularChannel] = fixHistory(gIn_Specular, gIn_SpecularSh, p, specular, true, position,
+                                           n[kSpecularChannel], amount[kSpecularChannel], tracking);
     // Filled-in data is unwanted in the fast history of sharp lobes.
     share[kSpecularChannel] = mix(1.0, share[kSpecularChannel], NRD_GetLobeSpread(p.guide.roughness, 0.25));
 #endif
     vec2 own = sFast[int(gl_LocalInvocationID.y) + kRadius][int(gl_LocalInvocationID.x) + kRadius];
-    vec2 fast = mix(vec2(signals[0].x, signals[1].x), own, share);
-    imageStore(gOut_Fast, position, roundToHalf(vec4(fast, 0.0, 0.0)));
-
-    vec2 luma = vec2(signals[0].x, signals[1].x);
-    if (kHasAntiFirefly)
+    vec2 lumas = vec2(luma(signals[0]), luma(signals[1]));
+    vec2 fast = mix(lumas, own, share);
+    imageStore(gOut_Fast, position, kIsBounded ? vec4(fast, 0.0, 0.0) : roundToHalf(vec4(fast, 0.0, 0.0)));
+    if (kHasAntiFirefly && !kIsBounded)
     {
         Moments wide = wideMoments(fast);
-        for (int i = 0; i < LOBE_NUM; i++) luma[i] = clampTo(luma[i], wide, i, kAntiFireflySigmaScale);
+        for (int i = 0; i < LOBE_NUM; i++) lumas[i] = clampTo(lumas[i], wide, i, kAntiFireflySigmaScale);
     }
     Moments near = nearMoments(fast);
     bool isStrand = kHasMaterialTest && p.guide.materialID == g.strandMaterialID;
@@ -261,12 +275,12 @@ void main()
     {
         bool isSpecular = HAS_SPECULAR == 1 && i == kSpecularChannel;
         float scale = isStrand && isSpecular ? max(g.fastClampSigmaScale, 3.0) : g.fastClampSigmaScale;
-        signals[i] = changeLuma(signals[i], fastClamp(luma[i], near, i, n[i], scale));
+        signals[i] = changeLuma(signals[i], fastClamp(lumas[i], near, i, n[i], scale));
     }
 #if HAS_DIFFUSE
-    imageStore(gOut_Diffuse, position, roundToHalf(signals[0]));
+    storeSignal(gOut_Diffuse, gOut_DiffuseSh, position, signals[0]);
 #endif
 #if HAS_SPECULAR
-    imageStore(gOut_Specular, position, roundToHalf(signals[kSpecularChannel]));
+    storeSignal(gOut_Specular, gOut_SpecularSh, position, signals[kSpecularChannel]);
 #endif
 }

@@ -2,27 +2,40 @@
 // and is the last pass where stabilisation is off.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "recurrent_blur.glsl"
+#include "spatial_filter.glsl"
 
 layout(local_size_x = 8, local_size_y = 16) in;
 layout(set = SET_RESOURCES, binding = 0) uniform texture2D gIn_Tiles;
 layout(set = SET_RESOURCES, binding = 1) uniform texture2D gIn_ViewZ;
 layout(set = SET_RESOURCES, binding = 2) uniform texture2D gIn_NormalRoughness;
 layout(set = SET_RESOURCES, binding = 3) uniform texture2D gIn_Length;
+#define FIRST_HISTORY (4 + SIGNAL_NUM)
+#define FIRST_OUT (FIRST_HISTORY + SIGNAL_NUM + 2)
 #if HAS_DIFFUSE
 layout(set = SET_RESOURCES, binding = 4) uniform texture2D gIn_Diffuse;
-layout(set = SET_RESOURCES, binding = 4 + LOBE_NUM) uniform writeonly image2D gOut_DiffuseHistory;
-layout(set = SET_RESOURCES, binding = 6 + 2 * LOBE_NUM) uniform writeonly image2D gOut_Diffuse;
+layout(set = SET_RESOURCES, binding = FIRST_HISTORY) uniform writeonly image2D gOut_DiffuseHistory;
+layout(set = SET_RESOURCES, binding = FIRST_OUT) uniform writeonly image2D gOut_Diffuse;
+#if IS_SH
+layout(set = SET_RESOURCES, binding = 4 + LOBE_NUM) uniform texture2D gIn_DiffuseSh;
+layout(set = SET_RESOURCES, binding = FIRST_HISTORY + LOBE_NUM) uniform writeonly image2D gOut_DiffuseHistorySh;
+layout(set = SET_RESOURCES, binding = FIRST_OUT + LOBE_NUM) uniform writeonly image2D gOut_DiffuseSh;
+#endif
 #endif
 #if HAS_SPECULAR
+#define LAST_OF_PAIR (2 * LOBE_NUM - 1)
 layout(set = SET_RESOURCES, binding = 3 + LOBE_NUM) uniform texture2D gIn_Specular;
-layout(set = SET_RESOURCES, binding = 3 + 2 * LOBE_NUM) uniform writeonly image2D gOut_SpecularHistory;
-layout(set = SET_RESOURCES, binding = 5 + 3 * LOBE_NUM) uniform writeonly image2D gOut_Specular;
+layout(set = SET_RESOURCES, binding = FIRST_HISTORY + LOBE_NUM - 1) uniform writeonly image2D gOut_SpecularHistory;
+layout(set = SET_RESOURCES, binding = FIRST_OUT + LOBE_NUM - 1) uniform writeonly image2D gOut_Specular;
+#if IS_SH
+layout(set = SET_RESOURCES, binding = 4 + LAST_OF_PAIR) uniform texture2D gIn_SpecularSh;
+layout(set = SET_RESOURCES, binding = FIRST_HISTORY + LAST_OF_PAIR) uniform writeonly image2D gOut_SpecularHistorySh;
+layout(set = SET_RESOURCES, binding = FIRST_OUT + LAST_OF_PAIR) uniform writeonly image2D gOut_SpecularSh;
 #endif
-layout(set = SET_RESOURCES, binding = 4 + 2 * LOBE_NUM) uniform writeonly image2D gOut_PrevNormalRoughness;
-layout(set = SET_RESOURCES, binding = 5 + 2 * LOBE_NUM) uniform writeonly uimage2D gOut_PrevLength;
+#endif
+layout(set = SET_RESOURCES, binding = FIRST_HISTORY + SIGNAL_NUM) uniform writeonly image2D gOut_PrevNormalRoughness;
+layout(set = SET_RESOURCES, binding = FIRST_HISTORY + SIGNAL_NUM + 1) uniform writeonly uimage2D gOut_PrevLength;
 
-vec4 outputSignal(vec4 signal, float n) { return vec4(signal.xyz, g.returnHistoryLength != 0u ? n : signal.w); }
+#include "recurrent_blur.glsl"
 
 void main()
 {
@@ -36,19 +49,19 @@ void main()
     vec2 narrowing = adaptedConvergence(gIn_Length, gIn_ViewZ, position);
     vec2 n = unpackLengths(texelFetch(gIn_Length, position, 0).xy);
     BlurPass pass = BlurPass(g.rotatorPostBlur, 2.0, 0.5);
+    bool isLast = kIsOcclusion || !kHasStabilization;
 #if HAS_DIFFUSE
     Lobe diffuseLobe = Lobe(1.0, g.minMaterialForDiffuse, g.maxBlurRadius);
-    vec4 diffuse = blurLobe(gIn_Diffuse, gIn_ViewZ, gIn_NormalRoughness, p, diffuseLobe, false, position,
-                            narrowing.x, pass);
-    imageStore(gOut_DiffuseHistory, position, diffuse);
-    if (!kHasStabilization) imageStore(gOut_Diffuse, position, outputSignal(diffuse, n.x));
+    Signal diffuse = blurLobe(gIn_Diffuse, gIn_DiffuseSh, p, diffuseLobe, false, position, narrowing.x, pass);
+    storeSignal(gOut_DiffuseHistory, gOut_DiffuseHistorySh, position, diffuse);
+    if (isLast) storeOutput(gOut_Diffuse, gOut_DiffuseSh, position, diffuse, n.x);
 #endif
 #if HAS_SPECULAR
     Lobe specularLobe = Lobe(p.guide.roughness, g.minMaterialForSpecular, g.maxBlurRadius);
-    vec4 specular = blurLobe(gIn_Specular, gIn_ViewZ, gIn_NormalRoughness, p, specularLobe, true, position,
-                             narrowing[kSpecularChannel], pass);
-    imageStore(gOut_SpecularHistory, position, specular);
-    if (!kHasStabilization) imageStore(gOut_Specular, position, outputSignal(specular, n[kSpecularChannel]));
+    Signal specular = blurLobe(gIn_Specular, gIn_SpecularSh, p, specularLobe, true, position,
+                               narrowing[kSpecularChannel], pass);
+    storeSignal(gOut_SpecularHistory, gOut_SpecularHistorySh, position, specular);
+    if (isLast) storeOutput(gOut_Specular, gOut_SpecularSh, position, specular, n[kSpecularChannel]);
 #endif
-    if (!kHasStabilization) imageStore(gOut_PrevLength, position, uvec4(packLengthWord(n + 1.0)));
+    if (isLast) imageStore(gOut_PrevLength, position, uvec4(packLengthWord(n + 1.0)));
 }

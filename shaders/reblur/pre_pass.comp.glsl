@@ -1,23 +1,36 @@
-// Spatial reuse before accumulation: lowers the variance of the input, drops what is not finite, and finds the
-// distance of the nearest reflected surface for tracking.
+// Spatial reuse before accumulation: completes what the application left out, lowers the variance of the input, drops
+// what is not finite, and finds the distance of the nearest reflected surface for tracking.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "spatial_filter.glsl"
-#include "random.glsl"
+#include "checkerboard.glsl"
 
+#define FIRST_OUT (3 + SIGNAL_NUM)
 layout(local_size_x = 16, local_size_y = 16) in;
 layout(set = SET_RESOURCES, binding = 0) uniform texture2D gIn_Tiles;
 layout(set = SET_RESOURCES, binding = 1) uniform texture2D gIn_ViewZ;
 layout(set = SET_RESOURCES, binding = 2) uniform texture2D gIn_NormalRoughness;
 #if HAS_DIFFUSE
 layout(set = SET_RESOURCES, binding = 3) uniform texture2D gIn_Diffuse;
-layout(set = SET_RESOURCES, binding = 3 + LOBE_NUM) uniform writeonly image2D gOut_Diffuse;
+layout(set = SET_RESOURCES, binding = FIRST_OUT) uniform writeonly image2D gOut_Diffuse;
+#if IS_SH
+layout(set = SET_RESOURCES, binding = 3 + LOBE_NUM) uniform texture2D gIn_DiffuseSh;
+layout(set = SET_RESOURCES, binding = FIRST_OUT + LOBE_NUM) uniform writeonly image2D gOut_DiffuseSh;
+#endif
 #endif
 #if HAS_SPECULAR
 layout(set = SET_RESOURCES, binding = 2 + LOBE_NUM) uniform texture2D gIn_Specular;
-layout(set = SET_RESOURCES, binding = 2 + 2 * LOBE_NUM) uniform writeonly image2D gOut_Specular;
-layout(set = SET_RESOURCES, binding = 3 + 2 * LOBE_NUM) uniform writeonly image2D gOut_TrackNew;
+layout(set = SET_RESOURCES, binding = FIRST_OUT + LOBE_NUM - 1) uniform writeonly image2D gOut_Specular;
+#if IS_SH
+layout(set = SET_RESOURCES, binding = 2 + 2 * LOBE_NUM) uniform texture2D gIn_SpecularSh;
+layout(set = SET_RESOURCES, binding = FIRST_OUT + 2 * LOBE_NUM - 1) uniform writeonly image2D gOut_SpecularSh;
 #endif
+#if IS_BOUNDED == 0
+layout(set = SET_RESOURCES, binding = FIRST_OUT + SIGNAL_NUM) uniform writeonly image2D gOut_TrackNew;
+#endif
+#endif
+
+#include "complete_input.glsl"
 
 const float kNarrowing = 1.0 / 11.0;
 const float kFractionScale = 2.0;
@@ -41,45 +54,61 @@ float contactGuard(float roughness, float tapHitDist, float centreHitDist, float
     return mix(sqrt(saturate(tapHitDist / (distance + kEps + centreHitDist))), 1.0, ramp(0.5, 1.0, roughness));
 }
 
-vec4 prefilter(texture2D signal, Pixel p, Lobe lobe, bool isSpecular, ivec2 position, out float tracking)
+// Skipped samples carry the zeros that balance the brightness of the others: to weigh them down would add energy.
+float prePassHitDistWeight(Weights w, float centre, float other)
 {
-    bool isValid;
-    vec4 centre = sanitize(texelFetch(signal, position, 0), isValid);
-    float hitDist = getHitDist(centre.w, p.viewZ, lobe.roughness);
-    tracking = hitDist;
-    if (lobe.maxRadius == 0.0) return centre;
+    return other > 0.0 || g.reconstructionRadius == 0 ? hitDistWeight(w, centre, other) : w.minHitDist + 1.0;
+}
+
+struct Filtered
+{
+    Signal signal;
+    float tracking; // world units, 0 = unknown
+};
+
+Filtered prefilter(texture2D t, texture2D second, Pixel p, Lobe lobe, bool isSpecular, Centre centre)
+{
+    float hitDist = getHitDist(centre.hitDist, p.viewZ, lobe.roughness);
+    Signal own = centre.signal;
+    own.value.w = centre.hitDist;
+    if (kIsOcclusion) own.value.x = centre.hitDist;
+    if (lobe.maxRadius == 0.0 && centre.isValid) return Filtered(own, hitDist);
 
     float radius = blurRadius(lobe, 1.0, hitDistFactor(hitDist, p.frustumSize), 1.0);
     if (isSpecular) radius = limitSpecularRadius(p, lobe, hitDist, radius);
     float minHitDist = g.minHitDistanceWeight * kFractionScale * NRD_GetLobeSpread(lobe.roughness, 0.5);
     Weights w = makeWeights(p, lobe, isSpecular, kNarrowing, kFractionScale, minHitDist);
     w.hitDist = kHitDistScale;
-    uint seed = seedPixel(position, g.frameIndex);
+    uint seed = seedPixel(centre.pixel, g.frameIndex);
     float nearest = hitDist > 0.0 ? hitDist : 1e30;
-    vec4 sum = centre;
-    float weightSum = isValid ? 1.0 : 0.0;
+    Signal sum = centre.isValid ? own : kNoSignal;
+    float weightSum = centre.isValid ? 1.0 : 0.0;
     for (int i = 0; i < 8; i++)
     {
         vec2 uv = p.uv + rotateTap(g.rotatorPrePass, kTaps[i].xy) * radius * g.rectSizeInv;
+        bool isInside;
+        uv = snapToData(uv, isSpecular, i, isInside);
         Tap tap = readTap(gIn_ViewZ, gIn_NormalRoughness, p, lobe, w, uv, kTaps[i].z);
         bool isTapValid;
-        vec4 value = sanitize(texelFetch(signal, tap.pixel, 0), isTapValid);
-        float weight = isTapValid ? tap.weight : 0.0;
+        Signal value = readInput(t, second, inputTexel(tap.pixel), isTapValid);
+        float weight = isTapValid && isInside ? tap.weight : 0.0;
         if (isSpecular)
         {
-            float tapHitDist = getHitDist(value.w, tap.viewZ, tap.guide.roughness);
+            float tapHitDist = getHitDist(value.value.w, tap.viewZ, tap.guide.roughness);
             // A stochastic minimum: the nearest reflected surface wins, dissimilar and grazing taps rarely count.
             if (tapHitDist > 0.0 && nextRandom(seed) < weight * p.NoV) nearest = min(nearest, tapHitDist);
-            weight *= g.isPrepassTrackingOnly != 0u
-                          ? 0.0
-                          : contactGuard(lobe.roughness, tapHitDist, hitDist, distance(tap.Xv, p.Xv));
+            // Where taps have no sample there is no contact to see.
+            bool isGuarded = tapHitDist > 0.0 || g.reconstructionRadius == 0;
+            float guard = contactGuard(lobe.roughness, tapHitDist, hitDist, distance(tap.Xv, p.Xv));
+            weight *= g.isPrepassTrackingOnly != 0u ? 0.0 : isGuarded ? guard : 1.0;
         }
-        weight *= hitDistWeight(w, centre.w, value.w);
-        sum += weight > 0.0 ? value * weight : vec4(0.0);
-        weightSum += weight;
+        weight *= prePassHitDistWeight(w, centre.hitDist, value.value.w);
+        if (value.value.w == 0.0) value.value.w = centre.hitDist; // unknown, not near
+        sum = addWeighted(sum, value, weight);
+        weightSum += max(weight, 0.0);
     }
-    tracking = nearest == 1e30 ? 0.0 : nearest;
-    return weightSum > 0.0 ? sum / weightSum : vec4(0.0);
+    float tracking = nearest == 1e30 ? 0.0 : nearest;
+    return Filtered(weightSum > 0.0 ? scaled(sum, 1.0 / weightSum) : own, tracking);
 }
 
 void main()
@@ -89,16 +118,19 @@ void main()
     float viewZ = decodeViewZ(texelFetch(gIn_ViewZ, guideTexel(position), 0).x);
     if (!isInRange(viewZ)) return;
     Pixel p = makePixel(position, viewZ, decodeGuide(texelFetch(gIn_NormalRoughness, guideTexel(position), 0)));
-    float tracking;
 #if HAS_DIFFUSE
-    Lobe diffuse = Lobe(1.0, g.minMaterialForDiffuse, g.diffusePrepassRadius);
-    vec4 diffuseSignal = prefilter(gIn_Diffuse, p, diffuse, false, position, tracking);
-    imageStore(gOut_Diffuse, position, roundToHalf(diffuseSignal));
+    Lobe diffuse = Lobe(1.0, g.minMaterialForDiffuse, kIsOcclusion ? 0.0 : g.diffusePrepassRadius);
+    Centre diffuseCentre = completeCentre(gIn_Diffuse, gIn_DiffuseSh, p, diffuse, false, position);
+    Filtered filteredDiffuse = prefilter(gIn_Diffuse, gIn_DiffuseSh, p, diffuse, false, diffuseCentre);
+    storeSignal(gOut_Diffuse, gOut_DiffuseSh, position, filteredDiffuse.signal);
 #endif
 #if HAS_SPECULAR
-    Lobe specular = Lobe(p.guide.roughness, g.minMaterialForSpecular, g.specularPrepassRadius);
-    vec4 specularSignal = prefilter(gIn_Specular, p, specular, true, position, tracking);
-    imageStore(gOut_Specular, position, roundToHalf(specularSignal));
-    imageStore(gOut_TrackNew, position, vec4(min(tracking, kTrackingMax)));
+    Lobe specular = Lobe(p.guide.roughness, g.minMaterialForSpecular, kIsOcclusion ? 0.0 : g.specularPrepassRadius);
+    Centre specularCentre = completeCentre(gIn_Specular, gIn_SpecularSh, p, specular, true, position);
+    Filtered filteredSpecular = prefilter(gIn_Specular, gIn_SpecularSh, p, specular, true, specularCentre);
+    storeSignal(gOut_Specular, gOut_SpecularSh, position, filteredSpecular.signal);
+#if IS_BOUNDED == 0
+    imageStore(gOut_TrackNew, position, vec4(min(filteredSpecular.tracking, kTrackingMax)));
+#endif
 #endif
 }

@@ -1,16 +1,12 @@
 // Shared by the REBLUR passes: constants, permutation switches, reading of guides, and the factors of the method.
-// LOBES: 1 diffuse, 2 specular, 3 both.
 #ifndef REBLUR_GLSL
 #define REBLUR_GLSL
+#include "variant.glsl"
 #include "bindings.h"
 #include "reblur_constants.h"
 #include "math.glsl"
 #include "geometry.glsl"
 #include "nrd_frontend.glsl"
-
-#define HAS_DIFFUSE (LOBES & 1)
-#define HAS_SPECULAR ((LOBES >> 1) & 1)
-#define LOBE_NUM (HAS_DIFFUSE + HAS_SPECULAR)
 
 layout(constant_id = SPEC_NORMAL_ENCODING) const int kNormalEncoding = NRD_NORMAL_R10G10B10A2_UNORM;
 layout(constant_id = SPEC_ROUGHNESS_ENCODING) const int kRoughnessEncoding = NRD_ROUGHNESS_LINEAR;
@@ -91,7 +87,7 @@ float convergence(float n)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// Signals: (Y, Co, Cg, normalised hit distance)
+// Signals
 
 float getHitDist(float normHitDist, float viewZ, float roughness)
 {
@@ -101,32 +97,14 @@ float getHitDist(float normHitDist, float viewZ, float roughness)
 // The share of the screen the hit distance spans; near contacts it is 0 and every kernel collapses.
 float hitDistFactor(float hitDist, float frustumSize) { return saturate(hitDist / frustumSize); }
 
-vec4 changeLuma(vec4 signal, float luma)
-{
-    // eps on both sides: black stays black instead of 0 / 0.
-    return vec4(signal.xyz * ((luma + NRD_LUMA_EPS) / (signal.x + NRD_LUMA_EPS)), signal.w);
-}
-
-// Catmull-Rom has negative lobes; negative energy left in the chroma circulates as coloured speckle.
-vec4 clampNegatives(vec4 signal)
-{
-    return vec4(NRD_LinearToYCoCg(NRD_YCoCgToLinear(signal.xyz)), saturate(signal.w));
-}
-
-// Noisy input may be anything; what is not finite counts as "no sample".
-vec4 sanitize(vec4 signal, out bool isValid)
-{
-    isValid = NRD_IsRadianceFinite(signal.xyz) && NRD_IsFinite(signal.w);
-    return isValid ? clamp(signal, vec4(0.0, -NRD_FP16_MAX, -NRD_FP16_MAX, 0.0), vec4(vec3(NRD_FP16_MAX), 1.0))
-                   : vec4(0.0);
-}
-
 // Half the size of one lobe-angle cut-off: convergence narrows the admissible angle so that normal detail returns.
 float normalCutoff(float roughness, float narrowing)
 {
     float share = 0.75 * mix(g.lobeAngleFraction, 1.0, narrowing);
     return max(atan(lobeTangent(roughness, share)), normalEncodingError(kNormalEncoding));
 }
+
+#include "signal.glsl"
 
 vec4 packScalars(float diffuse, float specular)
 {

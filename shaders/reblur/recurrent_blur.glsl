@@ -1,5 +1,5 @@
-// Blur and post-blur: one routine, two parameter sets. Hit distances stay the centre's own: a blurred one would steer
-// the next frame's weights with its own output and posterise contact shadows.
+// Blur and post-blur: one routine, two parameter sets. Beside radiance, hit distances stay the centre's own: a blurred
+// one would steer the next frame's weights with its own output and posterise contact shadows.
 #ifndef RECURRENT_BLUR_GLSL
 #define RECURRENT_BLUR_GLSL
 #include "spatial_filter.glsl"
@@ -20,33 +20,37 @@ struct BlurPass
     float fractionScale;
 };
 
-vec4 blurLobe(texture2D signal, texture2D viewZs, texture2D normals, Pixel p, Lobe lobe, bool isSpecular,
-              ivec2 position, float narrowing, BlurPass pass)
+// Needs gIn_ViewZ and gIn_NormalRoughness.
+Signal blurLobe(texture2D t, texture2D second, Pixel p, Lobe lobe, bool isSpecular, ivec2 position, float narrowing,
+                BlurPass pass)
 {
-    vec4 centre = texelFetch(signal, position, 0);
+    Signal centre = readSignal(t, second, position);
     float spread = NRD_GetLobeSpread(lobe.roughness, 0.5);
-    float factor = hitDistFactor(getHitDist(centre.w, p.viewZ, lobe.roughness), p.frustumSize);
+    float factor = hitDistFactor(getHitDist(centre.value.w, p.viewZ, lobe.roughness), p.frustumSize);
     float radius = blurRadius(lobe, pass.radiusScale, factor, narrowing);
-    float minHitDist = g.minHitDistanceWeight * pass.fractionScale * spread * narrowing;
+    if (radius == 0.0) return centre;
+    // Where the hit distance is the signal, a floor that fades would leave nothing to average.
+    float minHitDist = g.minHitDistanceWeight * pass.fractionScale * spread * (kIsBounded ? 1.0 : narrowing);
     Weights w = makeWeights(p, lobe, isSpecular, narrowing, pass.fractionScale, minHitDist);
     vec3 T, B;
     vec2 skew = diffuseSkew(p) * radius * g.rectSizeInv;
     if (isSpecular) specularKernel(p, factor, narrowing, radius, T, B);
-    vec3 sum = centre.xyz;
+    Signal sum = centre;
     float weightSum = 1.0;
     for (int i = 0; i < 8; i++)
     {
         vec2 offset = rotateTap(pass.rotator, kTaps[i].xy);
         vec2 uv = isSpecular ? viewToUv(p.Xv + T * offset.x + B * offset.y) : p.uv + offset * skew;
-        Tap tap = readTap(viewZs, normals, p, lobe, w, uv, kTaps[i].z);
-        vec4 value = texelFetch(signal, tap.pixel, 0);
-        float weight = tap.weight * hitDistWeight(w, centre.w, value.w);
-        weight *= lumaWeight(centre.x, value.x, narrowing);
-        // Selected, not multiplied: rejected taps may hold anything.
-        sum += weight > 0.0 ? value.xyz * weight : vec3(0.0);
-        weightSum += weight;
+        Tap tap = readTap(gIn_ViewZ, gIn_NormalRoughness, p, lobe, w, uv, kTaps[i].z);
+        Signal value = readSignal(t, second, tap.pixel);
+        float weight = tap.weight * hitDistWeight(w, centre.value.w, value.value.w);
+        weight *= lumaWeight(luma(centre), luma(value), narrowing);
+        sum = addWeighted(sum, value, weight);
+        weightSum += weight > 0.0 ? weight : 0.0; // not NaN
     }
-    return roundToHalf(vec4(sum / weightSum, centre.w));
+    Signal result = scaled(sum, 1.0 / weightSum);
+    if (!kIsBounded) result.value.w = centre.value.w;
+    return result;
 }
 
 // The convergence of a pixel, drawn towards that of its 2x2 partners where they are more stable: single fresh pixels

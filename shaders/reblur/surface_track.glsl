@@ -1,8 +1,8 @@
 // The history a pixel's own surface left on the previous frame's screen.
-// Needs gIn_PrevViewZ, gIn_PrevNormalRoughness, gIn_PrevLength.
+// Needs gIn_PrevViewZ, gIn_PrevNormalRoughness, gIn_PrevLength, gIn_Cut.
 #ifndef SURFACE_TRACK_GLSL
 #define SURFACE_TRACK_GLSL
-#include "reblur.glsl"
+#include "motion.glsl"
 #include "history.glsl"
 
 struct Surface
@@ -36,24 +36,13 @@ struct SurfaceTrack
     vec2 n; // frames, diffuse and specular
 };
 
-ivec2 lastPrevTexel() { return ivec2(g.rectSizePrev) - 1; }
-
-// Motion: where the surface was, on screen and in space.
-void applyMotion(Surface s, vec3 texel, inout SurfaceTrack track)
+// Announced by the application or seen by the device.
+bool isHistoryReset()
 {
-    vec3 mv = texel * g.motionVectorScale.xyz;
-    if (g.motionVectorScale.w != 0.0)
-    {
-        track.Xprev = s.X + mv;
-        track.uv = projectToUv(g.worldToClipPrev, track.Xprev);
-        return;
-    }
-    track.uv = s.uv + mv.xy;
-    // 2D motion knows no depth: the surface is taken as static.
-    float viewZPrev = g.motionVectorScale.z != 0.0 ? s.viewZ + mv.z : transform(g.worldToViewPrev, s.X).z;
-    vec3 Xv = reconstructViewPosition(track.uv, g.frustumPrev, max(viewZPrev, 1e-4), g.cameraDelta.w);
-    track.Xprev = transform(g.viewToWorldPrev, Xv);
+    return g.isHistoryReset != 0u || (g.isCutDetected != 0u && texelFetch(gIn_Cut, ivec2(0), 0).x > 0.5);
 }
+
+ivec2 lastPrevTexel() { return ivec2(g.rectSizePrev) - 1; }
 
 // Both vanish under pure rotation of the camera; they differ on surfaces that move with it.
 void measureParallax(Surface s, inout SurfaceTrack track)
@@ -135,13 +124,15 @@ vec2 fetchLengths(ivec2 origin, vec4 weights)
     uvec4 words = gatherOrder(textureGather(usampler2D(gIn_PrevLength, gNearestClamp), uv));
     vec2 n = vec2(customBilinear(unpackLengthWords(words, 0), weights), 0.0);
     if (LOBE_NUM == 2) n.y = customBilinear(unpackLengthWords(words, 1), weights);
-    return g.isHistoryReset != 0u ? vec2(0.0) : min(n, g.maxAccumulatedFrameNum);
+    return isHistoryReset() ? vec2(0.0) : min(n, g.maxAccumulatedFrameNum);
 }
 
 SurfaceTrack trackSurface(Surface s, vec3 motion)
 {
     SurfaceTrack track;
-    applyMotion(s, motion, track);
+    Motion followed = followMotion(s.uv, s.viewZ, s.X, motion);
+    track.uv = followed.uv;
+    track.Xprev = followed.Xprev;
     measureParallax(s, track);
     // Nearly static hair: accept almost anything, or sub-pixel geometry resets every frame.
     if (kHasMaterialTest && s.guide.materialID == g.strandMaterialID)

@@ -3,14 +3,14 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "bindings.h"
+#include "variant.glsl"
 
-#define HAS_DIFFUSE (LOBES & 1)
-#define HAS_SPECULAR ((LOBES >> 1) & 1)
-#define LOBE_NUM (HAS_DIFFUSE + HAS_SPECULAR)
-#define FIRST_SIGNAL (8 + LOBE_NUM)
-#define FIRST_HISTORY (FIRST_SIGNAL + LOBE_NUM)
-#define FIRST_SCALAR (FIRST_HISTORY + LOBE_NUM)
-#define FIRST_OUT (FIRST_SCALAR + 2 + 2 * HAS_SPECULAR)
+#define FIRST_SIGNAL (9 + LOBE_NUM)
+#define FIRST_HISTORY (FIRST_SIGNAL + SIGNAL_NUM)
+#define FIRST_SCALAR (FIRST_HISTORY + SIGNAL_NUM)
+#define FIRST_TRACK (FIRST_SCALAR + 1 + IS_STABILIZED)
+#define FIRST_OUT (FIRST_TRACK + 2 * HAS_SPECULAR)
+#define FIRST_SCALAR_OUT (FIRST_OUT + SIGNAL_NUM)
 
 layout(local_size_x = 8, local_size_y = 16) in;
 layout(set = SET_RESOURCES, binding = 0) uniform texture2D gIn_Tiles;
@@ -20,28 +20,45 @@ layout(set = SET_RESOURCES, binding = 3) uniform texture2D gIn_Motion;
 layout(set = SET_RESOURCES, binding = 4) uniform texture2D gIn_PrevViewZ;
 layout(set = SET_RESOURCES, binding = 5) uniform texture2D gIn_PrevNormalRoughness;
 layout(set = SET_RESOURCES, binding = 6) uniform utexture2D gIn_PrevLength;
-layout(set = SET_RESOURCES, binding = 7) uniform texture2D gIn_DisocclusionMix;
+layout(set = SET_RESOURCES, binding = 7) uniform texture2D gIn_Cut;
+layout(set = SET_RESOURCES, binding = 8) uniform texture2D gIn_DisocclusionMix;
 #if HAS_DIFFUSE
-layout(set = SET_RESOURCES, binding = 8) uniform texture2D gIn_DiffuseConfidence;
+layout(set = SET_RESOURCES, binding = 9) uniform texture2D gIn_DiffuseConfidence;
 layout(set = SET_RESOURCES, binding = FIRST_SIGNAL) uniform texture2D gIn_Diffuse;
 layout(set = SET_RESOURCES, binding = FIRST_HISTORY) uniform texture2D gIn_DiffuseHistory;
 layout(set = SET_RESOURCES, binding = FIRST_OUT) uniform writeonly image2D gOut_Diffuse;
+#if IS_SH
+layout(set = SET_RESOURCES, binding = FIRST_SIGNAL + LOBE_NUM) uniform texture2D gIn_DiffuseSh;
+layout(set = SET_RESOURCES, binding = FIRST_HISTORY + LOBE_NUM) uniform texture2D gIn_DiffuseHistorySh;
+layout(set = SET_RESOURCES, binding = FIRST_OUT + LOBE_NUM) uniform writeonly image2D gOut_DiffuseSh;
+#endif
 #endif
 #if HAS_SPECULAR
-layout(set = SET_RESOURCES, binding = 7 + LOBE_NUM) uniform texture2D gIn_SpecularConfidence;
+layout(set = SET_RESOURCES, binding = 8 + LOBE_NUM) uniform texture2D gIn_SpecularConfidence;
 layout(set = SET_RESOURCES, binding = FIRST_SIGNAL + LOBE_NUM - 1) uniform texture2D gIn_Specular;
 layout(set = SET_RESOURCES, binding = FIRST_HISTORY + LOBE_NUM - 1) uniform texture2D gIn_SpecularHistory;
-layout(set = SET_RESOURCES, binding = FIRST_SCALAR + 2) uniform texture2D gIn_TrackNew;
-layout(set = SET_RESOURCES, binding = FIRST_SCALAR + 3) uniform texture2D gIn_PrevTrack;
+#if SIGNAL == 2
+layout(set = SET_RESOURCES, binding = FIRST_TRACK) uniform texture2D gIn_SpecularHitDist;
+#else
+layout(set = SET_RESOURCES, binding = FIRST_TRACK) uniform texture2D gIn_TrackNew;
+#endif
+layout(set = SET_RESOURCES, binding = FIRST_TRACK + 1) uniform texture2D gIn_PrevTrack;
 layout(set = SET_RESOURCES, binding = FIRST_OUT + LOBE_NUM - 1) uniform writeonly image2D gOut_Specular;
-layout(set = SET_RESOURCES, binding = FIRST_OUT + LOBE_NUM + 4) uniform writeonly image2D gOut_Track;
+#if IS_SH
+layout(set = SET_RESOURCES, binding = FIRST_SIGNAL + 2 * LOBE_NUM - 1) uniform texture2D gIn_SpecularSh;
+layout(set = SET_RESOURCES, binding = FIRST_HISTORY + 2 * LOBE_NUM - 1) uniform texture2D gIn_SpecularHistorySh;
+layout(set = SET_RESOURCES, binding = FIRST_OUT + 2 * LOBE_NUM - 1) uniform writeonly image2D gOut_SpecularSh;
+#endif
+layout(set = SET_RESOURCES, binding = FIRST_SCALAR_OUT + 2 + 2 * IS_STABILIZED) uniform writeonly image2D gOut_Track;
 #endif
 layout(set = SET_RESOURCES, binding = FIRST_SCALAR) uniform texture2D gIn_Fast;
+layout(set = SET_RESOURCES, binding = FIRST_SCALAR_OUT) uniform writeonly image2D gOut_Fast;
+layout(set = SET_RESOURCES, binding = FIRST_SCALAR_OUT + 1) uniform writeonly image2D gOut_Length;
+#if IS_STABILIZED
 layout(set = SET_RESOURCES, binding = FIRST_SCALAR + 1) uniform texture2D gIn_Stab;
-layout(set = SET_RESOURCES, binding = FIRST_OUT + LOBE_NUM) uniform writeonly image2D gOut_Fast;
-layout(set = SET_RESOURCES, binding = FIRST_OUT + LOBE_NUM + 1) uniform writeonly image2D gOut_Length;
-layout(set = SET_RESOURCES, binding = FIRST_OUT + LOBE_NUM + 2) uniform writeonly image2D gOut_StabHistory;
-layout(set = SET_RESOURCES, binding = FIRST_OUT + LOBE_NUM + 3) uniform writeonly image2D gOut_StabWeight;
+layout(set = SET_RESOURCES, binding = FIRST_SCALAR_OUT + 2) uniform writeonly image2D gOut_StabHistory;
+layout(set = SET_RESOURCES, binding = FIRST_SCALAR_OUT + 3) uniform writeonly image2D gOut_StabWeight;
+#endif
 
 #include "accumulate.glsl"
 
@@ -63,17 +80,17 @@ LobeResult accumulateDiffuse(Surface s, SurfaceTrack surface)
         confidence = min(confidence, textureLod(sampler2D(gIn_DiffuseConfidence, gLinearClamp), surface.uv, 0.0).x);
     result.n = applyConfidence(surface.n.x, confidence);
     HistoryRead read = surfaceRead(surface);
-    vec4 history = readSignal(gIn_DiffuseHistory, read);
+    Signal history = readHistory(gIn_DiffuseHistory, gIn_DiffuseHistorySh, read);
     bool isValid;
-    vec4 signal = sanitize(texelFetch(gIn_Diffuse, s.pixel, 0), isValid);
+    Signal signal = readAccumulated(gIn_Diffuse, gIn_DiffuseSh, s.pixel, isValid);
     if (!isValid) signal = history;
+    float share = dataShare(s.pixel, false, result.n);
+    storeSignal(gOut_Diffuse, gOut_DiffuseSh, s.pixel, mixHistory(history, signal, result.n, share, 1.0));
     float fastHistory = fetchBilinear(gIn_Fast, read.origin, read.weights, lastPrevTexel()).x;
-    vec4 mixed = mixHistory(history, signal, result.n, 1.0);
-    float fastWeight = newSampleWeight(min(result.n, g.maxFastAccumulatedFrameNum));
-    result.fast = limitFast(mixFast(fastHistory, signal.x, fastWeight), history.x, result.n);
-    imageStore(gOut_Diffuse, s.pixel, roundToHalf(mixed));
-    result.stabHistory = kHasStabilization ? readStabilized(0, read) : 0.0;
-    result.stabWeight = g.isHistoryReset != 0u ? 0.0 : sqrt(saturate(dot(surface.weights, vec4(1.0))));
+    float fastWeight = newSampleWeight(min(result.n, g.maxFastAccumulatedFrameNum)) * share;
+    result.fast = limitFast(mixFast(fastHistory, luma(signal), fastWeight), luma(history), result.n);
+    result.stabHistory = readStabilized(0, read);
+    result.stabWeight = isHistoryReset() ? 0.0 : sqrt(saturate(dot(surface.weights, vec4(1.0))));
     return result;
 }
 #endif
@@ -100,10 +117,13 @@ void main()
 #if HAS_SPECULAR
     specular = accumulateSpecular(s, surface);
 #endif
-    imageStore(gOut_Fast, pixel, roundToHalf(packScalars(diffuse.fast, specular.fast)));
+    vec4 fast = packScalars(diffuse.fast, specular.fast);
+    imageStore(gOut_Fast, pixel, kIsBounded ? fast : roundToHalf(fast));
     vec2 lengths = packScalars(diffuse.n, specular.n).xy;
     imageStore(gOut_Length, pixel, vec4(packLengths(lengths), 0.0, 0.0));
+#if IS_STABILIZED
     if (!kHasStabilization) return;
     imageStore(gOut_StabHistory, pixel, roundToHalf(packScalars(diffuse.stabHistory, specular.stabHistory)));
     imageStore(gOut_StabWeight, pixel, packScalars(diffuse.stabWeight, specular.stabWeight));
+#endif
 }

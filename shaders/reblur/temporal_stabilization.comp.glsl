@@ -10,23 +10,33 @@ layout(set = SET_RESOURCES, binding = 1) uniform texture2D gIn_ViewZ;
 layout(set = SET_RESOURCES, binding = 2) uniform texture2D gIn_Length;
 layout(set = SET_RESOURCES, binding = 3) uniform texture2D gIn_StabHistory;
 layout(set = SET_RESOURCES, binding = 4) uniform texture2D gIn_StabWeight;
-#define FIRST_OUT (5 + LOBE_NUM + HAS_SPECULAR)
+#define FIRST_OUT (5 + SIGNAL_NUM + HAS_SPECULAR)
 #if HAS_DIFFUSE
 layout(set = SET_RESOURCES, binding = 5) uniform texture2D gIn_Diffuse;
 layout(set = SET_RESOURCES, binding = FIRST_OUT) uniform writeonly image2D gOut_Diffuse;
+#if IS_SH
+layout(set = SET_RESOURCES, binding = 5 + LOBE_NUM) uniform texture2D gIn_DiffuseSh;
+layout(set = SET_RESOURCES, binding = FIRST_OUT + LOBE_NUM) uniform writeonly image2D gOut_DiffuseSh;
+#endif
 #endif
 #if HAS_SPECULAR
 layout(set = SET_RESOURCES, binding = 4 + LOBE_NUM) uniform texture2D gIn_Specular;
-layout(set = SET_RESOURCES, binding = 5 + LOBE_NUM) uniform texture2D gIn_NormalRoughness;
+layout(set = SET_RESOURCES, binding = 5 + SIGNAL_NUM) uniform texture2D gIn_NormalRoughness;
 layout(set = SET_RESOURCES, binding = FIRST_OUT + LOBE_NUM - 1) uniform writeonly image2D gOut_Specular;
+#if IS_SH
+layout(set = SET_RESOURCES, binding = 4 + 2 * LOBE_NUM) uniform texture2D gIn_SpecularSh;
+layout(set = SET_RESOURCES, binding = FIRST_OUT + 2 * LOBE_NUM - 1) uniform writeonly image2D gOut_SpecularSh;
 #endif
-layout(set = SET_RESOURCES, binding = FIRST_OUT + LOBE_NUM) uniform writeonly image2D gOut_Stab;
-layout(set = SET_RESOURCES, binding = FIRST_OUT + LOBE_NUM + 1) uniform writeonly uimage2D gOut_PrevLength;
+#endif
+layout(set = SET_RESOURCES, binding = FIRST_OUT + SIGNAL_NUM) uniform writeonly image2D gOut_Stab;
+layout(set = SET_RESOURCES, binding = FIRST_OUT + SIGNAL_NUM + 1) uniform writeonly uimage2D gOut_PrevLength;
 
 const ivec2 kHalo = ivec2(10, 18);
 const float kInvalid = -1.0; // lumas are not negative
 
 shared vec2 sLuma[kHalo.y][kHalo.x]; // per lobe
+
+float storedLuma(vec4 stored) { return luma(Signal(decodeValue(stored), vec3(0.0))); }
 
 void loadLuma(ivec2 group)
 {
@@ -36,14 +46,14 @@ void loadLuma(ivec2 group)
         ivec2 pixel = group + local - 1;
         ivec2 inside = clampToRect(pixel);
         bool isUsed = pixel == inside && isInRange(decodeViewZ(texelFetch(gIn_ViewZ, guideTexel(inside), 0).x));
-        vec2 luma = vec2(kInvalid);
+        vec2 lumas = vec2(kInvalid);
 #if HAS_DIFFUSE
-        if (isUsed) luma.x = texelFetch(gIn_Diffuse, inside, 0).x;
+        if (isUsed) lumas.x = storedLuma(texelFetch(gIn_Diffuse, inside, 0));
 #endif
 #if HAS_SPECULAR
-        if (isUsed) luma[kSpecularChannel] = texelFetch(gIn_Specular, inside, 0).x;
+        if (isUsed) lumas[kSpecularChannel] = storedLuma(texelFetch(gIn_Specular, inside, 0));
 #endif
-        sLuma[local.y][local.x] = luma;
+        sLuma[local.y][local.x] = lumas;
     }
 }
 
@@ -99,11 +109,6 @@ Stabilized stabilize(int lobe, float luma, float history, float quality, float n
     return result;
 }
 
-vec4 outputSignal(vec4 signal, float n)
-{
-    return roundToHalf(vec4(signal.xyz, g.returnHistoryLength != 0u ? n : signal.w));
-}
-
 float specularStrength(Guide guide)
 {
     float response = smooth01(max(guide.roughness, 1e-3) / max(g.responsiveRoughnessThreshold, 1e-3));
@@ -127,16 +132,17 @@ void main()
     float isOutsideSplit = pixelUv(position).x >= max(g.splitScreen, g.splitScreenPrev) ? 1.0 : 0.0;
     Stabilized diffuse = Stabilized(0.0, 0.0), specular = Stabilized(0.0, 0.0);
 #if HAS_DIFFUSE
-    vec4 diffuseSignal = texelFetch(gIn_Diffuse, position, 0);
-    diffuse = stabilize(0, diffuseSignal.x, history.x, quality.x, n.x, isOutsideSplit);
-    imageStore(gOut_Diffuse, position, outputSignal(changeLuma(diffuseSignal, diffuse.luma), n.x));
+    Signal diffuseSignal = readSignal(gIn_Diffuse, gIn_DiffuseSh, position);
+    diffuse = stabilize(0, luma(diffuseSignal), history.x, quality.x, n.x, isOutsideSplit);
+    storeOutput(gOut_Diffuse, gOut_DiffuseSh, position, changeLuma(diffuseSignal, diffuse.luma), n.x);
 #endif
 #if HAS_SPECULAR
     const int c = kSpecularChannel;
     Guide guide = decodeGuide(texelFetch(gIn_NormalRoughness, guideTexel(position), 0));
-    vec4 specularSignal = texelFetch(gIn_Specular, position, 0);
-    specular = stabilize(c, specularSignal.x, history[c], quality[c], n[c], isOutsideSplit * specularStrength(guide));
-    imageStore(gOut_Specular, position, outputSignal(changeLuma(specularSignal, specular.luma), n[c]));
+    Signal specularSignal = readSignal(gIn_Specular, gIn_SpecularSh, position);
+    float strength = isOutsideSplit * specularStrength(guide);
+    specular = stabilize(c, luma(specularSignal), history[c], quality[c], n[c], strength);
+    storeOutput(gOut_Specular, gOut_SpecularSh, position, changeLuma(specularSignal, specular.luma), n[c]);
 #endif
     imageStore(gOut_Stab, position, roundToHalf(packScalars(diffuse.luma, specular.luma)));
     imageStore(gOut_PrevLength, position, uvec4(packLengthWord(packScalars(diffuse.n, specular.n).xy + 1.0)));

@@ -23,5 +23,6 @@
 #define SPEC_HAS_ANTI_FIREFLY 7
 
 #define TILE_SIZE 16
+#define CUT_SAMPLES_PER_TILE 32
 
 #endif

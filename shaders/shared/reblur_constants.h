@@ -68,6 +68,10 @@ struct ReblurConstants
     uint isHistoryReset;      // 1: every history length is 0 in this frame
     uint isPrepassTrackingOnly;
     uint returnHistoryLength;
+    uint isCutDetected;       // 1: the texture "Cut" holds the device's own opinion
+    uint checkerboard;        // value of CheckerboardMode
+    float checkerboardResolve;
+    int reconstructionRadius; // pixels, 0 = hit distances are complete
 };
 SHARED_END
 

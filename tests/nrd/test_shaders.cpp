@@ -244,6 +244,10 @@ TEST_CASE("constants lie at the same offsets in C++ and in SPIR-V", "[unit]")
         {"isHistoryReset", offsetof(ReblurConstants, isHistoryReset)},
         {"isPrepassTrackingOnly", offsetof(ReblurConstants, isPrepassTrackingOnly)},
         {"returnHistoryLength", offsetof(ReblurConstants, returnHistoryLength)},
+        {"isCutDetected", offsetof(ReblurConstants, isCutDetected)},
+        {"checkerboard", offsetof(ReblurConstants, checkerboard)},
+        {"checkerboardResolve", offsetof(ReblurConstants, checkerboardResolve)},
+        {"reconstructionRadius", offsetof(ReblurConstants, reconstructionRadius)},
     };
     const Member reference[] = {
         {"rectSize", offsetof(ReferenceConstants, rectSize)},

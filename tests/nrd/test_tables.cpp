@@ -18,7 +18,7 @@ struct Case
 
     Conditions conditions() const
     {
-        return {common, settings, NormalEncoding::R10_G10_B10_A2_UNORM, program.variant->lobes};
+        return {common, settings, NormalEncoding::R10_G10_B10_A2_UNORM, *program.variant};
     }
 };
 

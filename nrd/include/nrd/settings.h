@@ -35,6 +35,7 @@ struct CommonSettings
     double cameraDelta[3] = {};
     bool isCameraDeltaAvailable = false;
 
+    float metersToUnits = 1.0f;          // > 0, world units per metre; scales every setting given in metres
     float viewZScale = 1.0f;             // > 0, viewZ = abs(IN_VIEWZ * viewZScale)
     float timeDeltaBetweenFrames = 0.0f; // >= 0 ms, 0 = measured inside
     float denoisingRange = 500000.0f;    // > 0 units; beyond it outputs are not written
@@ -44,12 +45,15 @@ struct CommonSettings
     uint32_t cameraAttachedReflectionMaterialID = 999; // reflections that move with the camera, 999 = none
     uint32_t strandMaterialID = 999;                   // hair and grass, 999 = none
     uint32_t historyFixAlternatePixelStrideMaterialID = 999;
-    float strandThickness = 80e-6f; // > 0 units
+    float strandThickness = 80e-6f; // > 0 metres
 
     float splitScreen = 0.0f; // [0; 1], left part shows the input, 1 = only that
 
     uint32_t frameIndex = 0; // + 1 per frame
     AccumulationMode accumulationMode = AccumulationMode::CONTINUE;
+    // Treats a frame as RESTART does when the matrices leave no overlap with the last frame or hardly a pixel finds
+    // its surface there.
+    bool enableCutDetection = true;
 
     bool isHistoryConfidenceAvailable = false;        // IN_DIFF_CONFIDENCE and IN_SPEC_CONFIDENCE are bound
     bool isDisocclusionThresholdMixAvailable = false; // IN_DISOCCLUSION_THRESHOLD_MIX is bound
@@ -59,7 +63,7 @@ struct CommonSettings
 // Hit distance is divided by (A + viewZ * B) * mix(C, 1, spread(roughness)), see REBLUR_FrontEnd_GetNormHitDist.
 struct HitDistanceParameters
 {
-    float A = 3.0f;  // > 0 units
+    float A = 3.0f;  // > 0 metres; the shader takes A * CommonSettings::metersToUnits
     float B = 0.1f;  // > 0, units per unit of viewZ
     float C = 20.0f; // >= 1, how much longer the range of a mirror is
 };
@@ -117,7 +121,9 @@ struct ReblurSettings
     HitDistanceReconstructionMode hitDistanceReconstructionMode = HitDistanceReconstructionMode::OFF;
     bool enableAntiFirefly = true;
     bool usePrepassOnlyForSpecularMotionEstimation = false;
-    bool returnHistoryLengthInsteadOfOcclusion = false;
+    bool returnHistoryLengthInsteadOfOcclusion = false; // colour only
+    // For debugging: no filter but the reprojected mean of up to maxAccumulatedFrameNum frames.
+    bool enableReferenceAccumulation = false;
 };
 
 struct ReferenceSettings

@@ -11,6 +11,7 @@ namespace
 enum Tex : uint8_t
 {
     Tiles,
+    Cut,
     Length,
     FastTemp,
     TrackNew,
@@ -29,35 +30,46 @@ enum Tex : uint8_t
 using enum Format;
 using enum Lifetime;
 
+constexpr Having kSpecularColor = {kSpecular, kColor};
+constexpr Having kSpecularOcclusion = {kSpecular, kOcclusion};
+
 constexpr TextureRow kTextures[] = {
-    {Tiles, "Tiles", fixed(R8_UNORM), Transient, 16},
+    {Tiles, "Tiles", fixed(RGBA8_UNORM), Transient, TILE_SIZE},
+    {Cut, "Cut", fixed(R8_UNORM), Transient, kOneTexel},
     {Length, "Length", perLobes(R8_UNORM, RG8_UNORM), Transient},
-    {FastTemp, "FastTemp", perLobes(R16_SFLOAT, RG16_SFLOAT), Transient},
-    {TrackNew, "TrackNew", fixed(R16_SFLOAT), Transient, 1, kSpecular},
-    {StabHistory, "StabHistory", perLobes(R16_SFLOAT, RG16_SFLOAT), Transient},
-    {StabWeight, "StabWeight", perLobes(R8_UNORM, RG8_UNORM), Transient},
+    {FastTemp, "FastTemp", kLuma, Transient},
+    {TrackNew, "TrackNew", fixed(R16_SFLOAT), Transient, 1, kSpecularColor},
+    {StabHistory, "StabHistory", perLobes(R16_SFLOAT, RG16_SFLOAT), Transient, 1, kStabilized},
+    {StabWeight, "StabWeight", perLobes(R8_UNORM, RG8_UNORM), Transient, 1, kStabilized},
     {Scratch, "Scratch", kPerSignal, Transient},
     {PrevViewZ, "PrevViewZ", fixed(R32_SFLOAT), Permanent},
     {PrevNormalRoughness, "PrevNormalRoughness", kGuide, Permanent},
     {PrevLength, "PrevLength", perLobes(R8_UINT, R16_UINT), Permanent},
     {History, "History", kPerSignal, Permanent},
-    {Fast, "Fast", perLobes(R16_SFLOAT, RG16_SFLOAT), Permanent},
-    {Stab, "Stab", perLobes(R16_SFLOAT, RG16_SFLOAT), Permanent},
+    {Fast, "Fast", kLuma, Permanent},
+    {Stab, "Stab", perLobes(R16_SFLOAT, RG16_SFLOAT), Permanent, 1, kStabilized},
     {Track, "Track", fixed(R16_SFLOAT), PingPong, 1, kSpecular},
 };
 static_assert(rowsMatchKeys(kTextures));
 
-const ReblurSettings& settingsOf(const Conditions& c) { return *std::get_if<ReblurSettings>(&c.settings); }
+ReblurSettings settingsOf(const Conditions& c) { return effective(std::get<ReblurSettings>(c.settings)); }
 
 // With the split at the right border nothing but the input is shown, so nothing else runs.
 bool isDenoised(const Conditions& c) { return c.common.splitScreen < 1.0f; }
 bool isSplit(const Conditions& c) { return c.common.splitScreen > 0.0f; }
 
+bool hasCutDetection(const Conditions& c) { return c.common.enableCutDetection; }
+bool runsCutDetection(const Conditions& c) { return isDenoised(c) && hasCutDetection(c); }
+
+// Besides blurring, the pre-pass completes what an application left out: hit distances, half of a checkerboard.
 bool hasPrePass(const Conditions& c)
 {
-    const ReblurSettings& s = settingsOf(c);
-    return ((c.lobes & kDiffuse) && s.diffusePrepassBlurRadius > 0.0f) ||
-           ((c.lobes & kSpecular) && s.specularPrepassBlurRadius > 0.0f);
+    const ReblurSettings s = settingsOf(c);
+    const bool isIncomplete = s.checkerboardMode != CheckerboardMode::OFF ||
+                              s.hitDistanceReconstructionMode != HitDistanceReconstructionMode::OFF;
+    const bool isBlurred = (has(c.variant, kDiffuse) && s.diffusePrepassBlurRadius > 0.0f) ||
+                           (has(c.variant, kSpecular) && s.specularPrepassBlurRadius > 0.0f);
+    return isIncomplete || (isBlurred && !has(c.variant, kOcclusion));
 }
 bool runsPrePass(const Conditions& c) { return isDenoised(c) && hasPrePass(c); }
 
@@ -72,19 +84,19 @@ bool hasMaterialTest(const Conditions& c)
 {
     constexpr uint32_t kMaterialNum = 4; // two bits
     if (c.normalEncoding != NormalEncoding::R10_G10_B10_A2_UNORM) return false;
-    const ReblurSettings& s = settingsOf(c);
-    return ((c.lobes & kDiffuse) && s.minMaterialForDiffuse < kMaterialNum) ||
-           ((c.lobes & kSpecular) && s.minMaterialForSpecular < kMaterialNum) ||
+    const ReblurSettings s = settingsOf(c);
+    return (has(c.variant, kDiffuse) && s.minMaterialForDiffuse < kMaterialNum) ||
+           (has(c.variant, kSpecular) && s.minMaterialForSpecular < kMaterialNum) ||
            c.common.strandMaterialID < kMaterialNum || c.common.cameraAttachedReflectionMaterialID < kMaterialNum ||
            c.common.historyFixAlternatePixelStrideMaterialID < kMaterialNum;
 }
 
-constexpr SwitchRow kPrePassSwitch = {SPEC_HAS_PREPASS, hasPrePass, kSpecular};
-constexpr SwitchRow kStabilization = {SPEC_HAS_STABILIZATION, hasStabilization};
+constexpr SwitchRow kPrePassSwitch = {SPEC_HAS_PREPASS, hasPrePass};
+constexpr SwitchRow kStabilization = {SPEC_HAS_STABILIZATION, hasStabilization, kStabilized};
 constexpr SwitchRow kMaterialTest = {SPEC_HAS_MATERIAL_TEST, hasMaterialTest};
 constexpr SwitchRow kConfidence = {SPEC_HAS_CONFIDENCE, hasConfidence};
 constexpr SwitchRow kDisocclusionMix = {SPEC_HAS_DISOCCLUSION_MIX, hasDisocclusionMix};
-constexpr SwitchRow kAntiFirefly = {SPEC_HAS_ANTI_FIREFLY, hasAntiFirefly};
+constexpr SwitchRow kAntiFirefly = {SPEC_HAS_ANTI_FIREFLY, hasAntiFirefly, kColor};
 
 constexpr ResourceType ViewZ = ResourceType::IN_VIEWZ;
 constexpr ResourceType NormalRoughness = ResourceType::IN_NORMAL_ROUGHNESS;
@@ -92,9 +104,10 @@ constexpr ResourceType Motion = ResourceType::IN_MV;
 
 // Without a pre-pass the input is accumulated as it came, and nobody wrote a tracking distance.
 constexpr Slot kEachAccumulated = choose(hasPrePass, each(Scratch), kEachInput);
-constexpr Slot kTrackNew = only(kSpecular, optional(hasPrePass, TrackNew));
+constexpr Slot kTrackNew = only(kSpecularColor, optional(hasPrePass, TrackNew));
 // Without stabilisation nobody keeps this history up to date.
-constexpr Slot kStab = optional(hasStabilization, Stab);
+constexpr Slot kStab = only(kStabilized, optional(hasStabilization, Stab));
+constexpr Slot kCut = optional(hasCutDetection, Cut);
 constexpr Slot kThresholdMix = optional(hasDisocclusionMix, ResourceType::IN_DISOCCLUSION_THRESHOLD_MIX);
 constexpr Slot kDiffuseConfidence = only(kDiffuse, optional(hasConfidence, ResourceType::IN_DIFF_CONFIDENCE));
 constexpr Slot kSpecularConfidence = only(kSpecular, optional(hasConfidence, ResourceType::IN_SPEC_CONFIDENCE));
@@ -102,46 +115,45 @@ constexpr Slot kSpecularConfidence = only(kSpecular, optional(hasConfidence, Res
 constexpr GroupSize kTile = {TILE_SIZE, TILE_SIZE}; // whatever the number of invocations
 constexpr GroupSize kGroup16x16 = {16, 16};
 constexpr GroupSize kGroup8x16 = {8, 16};
+constexpr GroupSize kOneGroup = {1, 1}; // of a grid of one
 
-// In the order of kVariants.
-constexpr ShaderSet kPrePass = {Shader::ReblurPrePassDiffuse, Shader::ReblurPrePassSpecular,
-                                Shader::ReblurPrePassDiffuseSpecular};
+// From the first variant a pass applies to, to the last.
+constexpr ShaderSet kPrePass = {Shader::ReblurPrePassDiffuse, Shader::ReblurPrePassDiffuseDirectionalOcclusion};
 constexpr ShaderSet kTemporalAccumulation = {Shader::ReblurTemporalAccumulationDiffuse,
-                                             Shader::ReblurTemporalAccumulationSpecular,
-                                             Shader::ReblurTemporalAccumulationDiffuseSpecular};
-constexpr ShaderSet kHistoryFix = {Shader::ReblurHistoryFixDiffuse, Shader::ReblurHistoryFixSpecular,
-                                   Shader::ReblurHistoryFixDiffuseSpecular};
-constexpr ShaderSet kBlur = {Shader::ReblurBlurDiffuse, Shader::ReblurBlurSpecular, Shader::ReblurBlurDiffuseSpecular};
-constexpr ShaderSet kPostBlur = {Shader::ReblurPostBlurDiffuse, Shader::ReblurPostBlurSpecular,
-                                 Shader::ReblurPostBlurDiffuseSpecular};
+                                             Shader::ReblurTemporalAccumulationDiffuseDirectionalOcclusion};
+constexpr ShaderSet kHistoryFix = {Shader::ReblurHistoryFixDiffuse,
+                                   Shader::ReblurHistoryFixDiffuseDirectionalOcclusion};
+constexpr ShaderSet kBlur = {Shader::ReblurBlurDiffuse, Shader::ReblurBlurDiffuseDirectionalOcclusion};
+constexpr ShaderSet kPostBlur = {Shader::ReblurPostBlurDiffuse, Shader::ReblurPostBlurDiffuseDirectionalOcclusion};
 constexpr ShaderSet kTemporalStabilization = {Shader::ReblurTemporalStabilizationDiffuse,
-                                              Shader::ReblurTemporalStabilizationSpecular,
-                                              Shader::ReblurTemporalStabilizationDiffuseSpecular};
-constexpr ShaderSet kSplitScreen = {Shader::ReblurSplitScreenDiffuse, Shader::ReblurSplitScreenSpecular,
-                                    Shader::ReblurSplitScreenDiffuseSpecular};
+                                              Shader::ReblurTemporalStabilizationDiffuseDirectionalOcclusion};
+constexpr ShaderSet kSplitScreen = {Shader::ReblurSplitScreenDiffuse,
+                                    Shader::ReblurSplitScreenDiffuseDirectionalOcclusion};
 
 // name, shader per variant, reads, writes, group, runs if, switches. Outputs are written once, by the last pass.
 constexpr PassRow kPasses[] = {
-    {"Classify tiles", Shader::ReblurClassifyTiles, {ViewZ}, {Tiles}, kTile, isDenoised},
+    {"Classify tiles", Shader::ReblurClassifyTiles, {ViewZ, Motion, PrevViewZ}, {Tiles}, kTile, isDenoised},
+    {"Detect cut", Shader::ReblurDetectCut, {Tiles}, {Cut}, kOneGroup, runsCutDetection, {}, kOneTexel},
     {"Pre-pass",
      kPrePass,
      {Tiles, ViewZ, NormalRoughness, kEachInput},
-     {each(Scratch), only(kSpecular, TrackNew)},
+     {each(Scratch), only(kSpecularColor, TrackNew)},
      kGroup16x16,
      runsPrePass,
      {kMaterialTest}},
     {"Temporal accumulation",
      kTemporalAccumulation,
-     {Tiles, ViewZ, NormalRoughness, Motion, PrevViewZ, PrevNormalRoughness, PrevLength, kThresholdMix,
+     {Tiles, ViewZ, NormalRoughness, Motion, PrevViewZ, PrevNormalRoughness, PrevLength, kCut, kThresholdMix,
       kDiffuseConfidence, kSpecularConfidence, kEachAccumulated, each(History), Fast, kStab, kTrackNew,
-      only(kSpecular, prev(Track))},
-     {each(Scratch), FastTemp, Length, StabHistory, StabWeight, only(kSpecular, Track)},
+      only(kSpecularOcclusion, ResourceType::IN_SPEC_HITDIST), only(kSpecular, prev(Track))},
+     {each(Scratch), FastTemp, Length, only(kStabilized, StabHistory), only(kStabilized, StabWeight),
+      only(kSpecular, Track)},
      kGroup8x16,
      isDenoised,
      {kPrePassSwitch, kStabilization, kMaterialTest, kConfidence, kDisocclusionMix}},
     {"History fix",
      kHistoryFix,
-     {Tiles, ViewZ, NormalRoughness, Length, each(Scratch), FastTemp, only(kSpecular, Track)},
+     {Tiles, ViewZ, NormalRoughness, Length, each(Scratch), FastTemp, only(kSpecularColor, Track)},
      {each(History), Fast},
      kGroup8x16,
      isDenoised,
@@ -165,22 +177,52 @@ constexpr PassRow kPasses[] = {
      {Tiles, ViewZ, Length, StabHistory, StabWeight, each(History), only(kSpecular, NormalRoughness)},
      {kEachOutput, Stab, PrevLength},
      kGroup8x16,
-     runsStabilization},
+     runsStabilization,
+     {},
+     1,
+     kStabilized},
     {"Split screen", kSplitScreen, {ViewZ, kEachInput}, {kEachOutput}, kGroup16x16, isSplit},
 };
 
-constexpr SignalRow kDiffuseRadiance = {ResourceType::IN_DIFF_RADIANCE_HITDIST, ResourceType::OUT_DIFF_RADIANCE_HITDIST,
-                                        RGBA16_SFLOAT, kDiffuse};
-constexpr SignalRow kSpecularRadiance = {ResourceType::IN_SPEC_RADIANCE_HITDIST,
-                                         ResourceType::OUT_SPEC_RADIANCE_HITDIST, RGBA16_SFLOAT, kSpecular};
+constexpr SignalRow diffuse(ResourceType input, ResourceType output, Format format)
+{
+    return {input, output, format, kDiffuse};
+}
+constexpr SignalRow specular(ResourceType input, ResourceType output, Format format)
+{
+    return {input, output, format, kSpecular};
+}
 
-// The only place that knows which denoiser has which lobes and signals.
+using Type = ResourceType;
+
+constexpr SignalRow kDiffuseRadiance = diffuse(Type::IN_DIFF_RADIANCE_HITDIST, Type::OUT_DIFF_RADIANCE_HITDIST, RGBA16_SFLOAT);
+constexpr SignalRow kSpecularRadiance = specular(Type::IN_SPEC_RADIANCE_HITDIST, Type::OUT_SPEC_RADIANCE_HITDIST, RGBA16_SFLOAT);
+constexpr SignalRow kDiffuseHitDist = diffuse(Type::IN_DIFF_HITDIST, Type::OUT_DIFF_HITDIST, R16_UNORM);
+constexpr SignalRow kSpecularHitDist = specular(Type::IN_SPEC_HITDIST, Type::OUT_SPEC_HITDIST, R16_UNORM);
+constexpr SignalRow kDiffuseSh0 = diffuse(Type::IN_DIFF_SH0, Type::OUT_DIFF_SH0, RGBA16_SFLOAT);
+constexpr SignalRow kSpecularSh0 = specular(Type::IN_SPEC_SH0, Type::OUT_SPEC_SH0, RGBA16_SFLOAT);
+// Directions are kept relative to luma, so ten bits do and a change of luma leaves them alone.
+constexpr SignalRow kDiffuseSh1 = diffuse(Type::IN_DIFF_SH1, Type::OUT_DIFF_SH1, A2B10G10R10_UNORM_PACK32);
+constexpr SignalRow kSpecularSh1 = specular(Type::IN_SPEC_SH1, Type::OUT_SPEC_SH1, A2B10G10R10_UNORM_PACK32);
+constexpr SignalRow kDirection = diffuse(Type::IN_DIFF_DIRECTION_HITDIST, Type::OUT_DIFF_DIRECTION_HITDIST, RGBA16_SNORM);
+
+// The only place that knows which denoiser has which lobes and signals. In the order of the shader list.
 constexpr Variant kVariants[] = {
-    {Denoiser::REBLUR_DIFFUSE, kDiffuse, {kDiffuseRadiance}},
-    {Denoiser::REBLUR_SPECULAR, kSpecular, {kSpecularRadiance}},
-    {Denoiser::REBLUR_DIFFUSE_SPECULAR, kBoth, {kDiffuseRadiance, kSpecularRadiance}},
+    {Denoiser::REBLUR_DIFFUSE, kDiffuse, kRadiance, {kDiffuseRadiance}},
+    {Denoiser::REBLUR_DIFFUSE_OCCLUSION, kDiffuse, kOcclusion, {kDiffuseHitDist}},
+    {Denoiser::REBLUR_DIFFUSE_SH, kDiffuse, kSphericalHarmonics, {kDiffuseSh0, kDiffuseSh1}},
+    {Denoiser::REBLUR_SPECULAR, kSpecular, kRadiance, {kSpecularRadiance}},
+    {Denoiser::REBLUR_SPECULAR_OCCLUSION, kSpecular, kOcclusion, {kSpecularHitDist}},
+    {Denoiser::REBLUR_SPECULAR_SH, kSpecular, kSphericalHarmonics, {kSpecularSh0, kSpecularSh1}},
+    {Denoiser::REBLUR_DIFFUSE_SPECULAR, kBoth, kRadiance, {kDiffuseRadiance, kSpecularRadiance}},
+    {Denoiser::REBLUR_DIFFUSE_SPECULAR_OCCLUSION, kBoth, kOcclusion, {kDiffuseHitDist, kSpecularHitDist}},
+    {Denoiser::REBLUR_DIFFUSE_SPECULAR_SH,
+     kBoth,
+     kSphericalHarmonics,
+     {kDiffuseSh0, kSpecularSh0, kDiffuseSh1, kSpecularSh1}},
+    {Denoiser::REBLUR_DIFFUSE_DIRECTIONAL_OCCLUSION, kDiffuse, kDirectionalOcclusion, {kDirection}},
 };
-static_assert(shadersMatchVariants(kPasses, std::size(kVariants)));
+static_assert(shadersMatchVariants(kPasses, kVariants));
 static_assert(sizeof(shared::ReblurConstants) <= kConstantMaxByteSize);
 
 void fillConstants(const Request& request, void* block)
@@ -194,7 +236,8 @@ RequestHistory advance(const Request& request)
     RequestHistory next = request.history;
     const bool isDenoising = request.common.splitScreen < 1.0f;
     next.isValid = isDenoising;
-    next.isStabilized = isDenoising && std::get<ReblurSettings>(request.settings).maxStabilizedFrameNum > 0;
+    const ReblurSettings settings = effective(std::get<ReblurSettings>(request.settings));
+    next.isStabilized = isDenoising && settings.maxStabilizedFrameNum > 0;
     next.splitScreen = request.common.splitScreen;
     return next;
 }

@@ -5,5 +5,7 @@
 
 namespace nrd
 {
+// Settings with the debug switches applied: what the tables and constants are made of.
+ReblurSettings effective(const ReblurSettings& settings);
 shared::ReblurConstants makeReblurConstants(const Request& request);
 } // namespace nrd

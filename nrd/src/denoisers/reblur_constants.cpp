@@ -56,6 +56,7 @@ void fillFrame(const Request& request, shared::ReblurConstants& g)
     g.splitScreen = common.splitScreen;
     g.splitScreenPrev = request.isReset ? common.splitScreen : request.history.splitScreen;
     g.isHistoryReset = request.isReset ? 1 : 0;
+    g.isCutDetected = common.enableCutDetection ? 1 : 0;
 }
 
 void fillRotators(uint32_t frameIndex, shared::ReblurConstants& g)
@@ -74,7 +75,7 @@ void fillDisocclusion(const Request& request, shared::ReblurConstants& g)
     const float bonus = (1.0f + request.frame.jitterDelta) / request.common.rectSize[1];
     g.disocclusionThreshold = request.common.disocclusionThreshold + bonus;
     g.disocclusionThresholdAlternate = request.common.disocclusionThresholdAlternate + bonus;
-    g.strandThickness = request.common.strandThickness;
+    g.strandThickness = request.common.strandThickness * request.common.metersToUnits;
     g.strandMaterialID = request.common.strandMaterialID;
     g.cameraAttachedMaterialID = request.common.cameraAttachedReflectionMaterialID;
     g.historyFixAlternateMaterialID = request.common.historyFixAlternatePixelStrideMaterialID;
@@ -109,7 +110,8 @@ void fillFilters(const Request& request, const ReblurSettings& s, shared::Reblur
     g.maxBlurRadius = std::max(s.maxBlurRadius * scale, s.minBlurRadius);
     g.diffusePrepassRadius = s.diffusePrepassBlurRadius * scale;
     g.specularPrepassRadius = s.specularPrepassBlurRadius * scale;
-    g.hitDistanceParameters = {s.hitDistanceParameters.A, s.hitDistanceParameters.B, s.hitDistanceParameters.C, 0.0f};
+    g.hitDistanceParameters = {s.hitDistanceParameters.A * request.common.metersToUnits, s.hitDistanceParameters.B,
+                               s.hitDistanceParameters.C, 0.0f};
     g.planeDistanceSensitivity = s.planeDistanceSensitivity;
     g.lobeAngleFraction = s.lobeAngleFraction * s.lobeAngleFraction;
     g.roughnessFraction = s.roughnessFraction;
@@ -122,17 +124,40 @@ void fillFilters(const Request& request, const ReblurSettings& s, shared::Reblur
     g.isPrepassTrackingOnly = s.usePrepassOnlyForSpecularMotionEstimation ? 1 : 0;
     g.returnHistoryLength = s.returnHistoryLengthInsteadOfOcclusion ? 1 : 0;
 }
+
+// Which pixels of this frame have data, and how much a pixel without counts: less the higher the frame rate, since the
+// real sample comes with the next frame; half if the jitter makes the frames different anyway.
+void fillIncomplete(const Request& request, const ReblurSettings& s, shared::ReblurConstants& g)
+{
+    const double framesPerSecond = 30.0 * request.frame.frameRateScale, a = framesPerSecond / 4.0;
+    g.checkerboard = static_cast<uint32_t>(s.checkerboardMode);
+    g.checkerboardResolve = toFloat(mix(a / (1.0 + a), 0.5, saturate(request.frame.jitterDelta)));
+    g.reconstructionRadius = static_cast<int32_t>(s.hitDistanceReconstructionMode);
+}
 } // namespace
+
+ReblurSettings effective(const ReblurSettings& settings)
+{
+    ReblurSettings s = settings;
+    if (!s.enableReferenceAccumulation) return s;
+    s.diffusePrepassBlurRadius = s.specularPrepassBlurRadius = s.minBlurRadius = s.maxBlurRadius = 0.0f;
+    s.historyFixFrameNum = s.maxStabilizedFrameNum = 0;
+    s.maxFastAccumulatedFrameNum = s.maxAccumulatedFrameNum;
+    s.responsiveAccumulationSettings.roughnessThreshold = 0.0f;
+    s.enableAntiFirefly = false;
+    return s;
+}
 
 shared::ReblurConstants makeReblurConstants(const Request& request)
 {
-    const ReblurSettings& settings = std::get<ReblurSettings>(request.settings);
+    const ReblurSettings settings = effective(std::get<ReblurSettings>(request.settings));
     shared::ReblurConstants constants = {};
     fillFrame(request, constants);
     fillRotators(request.common.frameIndex, constants);
     fillDisocclusion(request, constants);
     fillHistory(request, settings, constants);
     fillFilters(request, settings, constants);
+    fillIncomplete(request, settings, constants);
     return constants;
 }
 } // namespace nrd

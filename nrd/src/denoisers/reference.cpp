@@ -31,9 +31,9 @@ constexpr PassRow kPasses[] = {
 constexpr SignalRow kSignal = {ResourceType::IN_SIGNAL, ResourceType::OUT_SIGNAL, Format::RGBA32_SFLOAT, kNoLobe};
 
 constexpr Variant kVariants[] = {
-    {Denoiser::REFERENCE, kNoLobe, {kSignal}},
+    {Denoiser::REFERENCE, kNoLobe, kRadiance, {kSignal}},
 };
-static_assert(shadersMatchVariants(kPasses, std::size(kVariants)));
+static_assert(shadersMatchVariants(kPasses, kVariants));
 
 // Another camera, another size or the application's word; what moves in the scene is not noticed.
 bool isRestarted(const Request& request)

@@ -1,0 +1,99 @@
+// What an application may leave out of a pixel: hit distances of a lobe that was not chosen, and every second pixel of a
+// checkerboard. Needs gIn_ViewZ and gIn_NormalRoughness.
+#ifndef COMPLETE_INPUT_GLSL
+#define COMPLETE_INPUT_GLSL
+
+struct Centre
+{
+    ivec2 pixel;
+    Signal signal;
+    float hitDist; // normalised; reconstructed where the pixel has none, 0 if that failed
+    bool isValid;  // false: the pixel takes no part in sums
+};
+
+// Mean of the left and right neighbours, which have data where a pixel has none, as far as they lie as deep.
+Signal resolveCheckerboard(texture2D t, texture2D second, Pixel p, ivec2 pixel)
+{
+    Signal sum = kNoSignal;
+    float weightSum = 0.0;
+    for (int i = -1; i <= 1; i += 2)
+    {
+        ivec2 neighbour = pixel + ivec2(i, 0);
+        if (clampToRect(neighbour) != neighbour) continue;
+        float viewZ = decodeViewZ(texelFetch(gIn_ViewZ, guideTexel(neighbour), 0).x);
+        bool isValid;
+        Signal value = readInput(t, second, inputTexel(neighbour), isValid);
+        bool isNear = abs(viewZ - p.viewZ) <= p.frustumSize * saturate(0.02 / max(0.05, p.NoV));
+        if (!isValid || !isInRange(viewZ) || !isNear) continue;
+        sum = addWeighted(sum, value, 1.0);
+        weightSum += 1.0;
+    }
+    return weightSum > 0.0 ? scaled(sum, 1.0 / weightSum) : kNoSignal;
+}
+
+// Long-tailed weights but for the plane, so as not to lose the only sample of the window.
+float reconstructionWeight(Pixel p, Lobe lobe, bool isSpecular, ivec2 pixel, vec2 offset)
+{
+    float viewZ = decodeViewZ(texelFetch(gIn_ViewZ, guideTexel(pixel), 0).x);
+    if (!isInRange(viewZ)) return 0.0;
+    Guide guide = decodeGuide(texelFetch(gIn_NormalRoughness, guideTexel(pixel), 0));
+    vec3 Xv = reconstructViewPosition(pixelUv(pixel), g.frustum, viewZ, g.cameraDelta.w);
+    float angle = max(atan(lobeTangent(lobe.roughness, 0.75)), normalEncodingError(kNormalEncoding));
+    float weight = exp(-0.66 * 0.25 * dot(offset, offset));
+    weight *= heavy(acosApprox(dot(p.guide.N, guide.N)) / angle);
+    weight *= soft(abs(dot(p.Nv, Xv - p.Xv)) / (g.planeDistanceSensitivity * p.frustumSize));
+    float m = square(p.guide.roughness);
+    if (isSpecular) weight *= heavy(abs(square(guide.roughness) - m) / mix(0.01, 1.0, m));
+    return weight;
+}
+
+// Radiance needs no reconstruction: it is divided by the probability of its lobe, so its expectation is right.
+float reconstructHitDist(texture2D t, texture2D second, Pixel p, Lobe lobe, bool isSpecular, ivec2 position)
+{
+    float sum = 0.0, weightSum = 0.0;
+    int size = 2 * g.reconstructionRadius + 1;
+    for (int i = 0; i < size * size; i++)
+    {
+        ivec2 offset = ivec2(i % size, i / size) - g.reconstructionRadius;
+        ivec2 pixel = position + offset;
+        if (clampToRect(pixel) != pixel || !hasData(pixel, isSpecular)) continue;
+        bool isValid;
+        float hitDist = sanitize(texelFetch(t, inputTexel(pixel), 0), isValid).w;
+        if (!(hitDist > 0.0)) continue;
+        float weight = reconstructionWeight(p, lobe, isSpecular, pixel, vec2(offset));
+        sum += hitDist * weight;
+        weightSum += weight;
+    }
+    return weightSum > 0.0 ? sum / weightSum : 0.0;
+}
+
+Centre completeCentre(texture2D t, texture2D second, Pixel p, Lobe lobe, bool isSpecular, ivec2 position)
+{
+    Centre centre;
+    centre.pixel = position;
+    bool isHere = hasData(position, isSpecular);
+    if (isHere)
+        centre.signal = readInput(t, second, inputTexel(position), centre.isValid);
+    else
+    {
+        centre.signal = resolveCheckerboard(t, second, p, position);
+        centre.isValid = kIsOcclusion && centre.signal.value.w > 0.0; // no blur follows that would find more
+    }
+    centre.hitDist = centre.signal.value.w;
+    if (centre.hitDist == 0.0 && g.reconstructionRadius > 0)
+        centre.hitDist = reconstructHitDist(t, second, p, lobe, isSpecular, position);
+    return centre;
+}
+
+// Taps land on pixels that have data: a step to the left or right, by turns.
+vec2 snapToData(vec2 uv, bool isSpecular, int tap, out bool isInside)
+{
+    isInside = true;
+    if (g.checkerboard == CHECKERBOARD_OFF) return uv;
+    ivec2 pixel = clampToRect(ivec2(mirrorUv(uv) * g.rectSize));
+    if (!hasData(pixel, isSpecular)) pixel.x += (tap & 1) == 0 ? 1 : -1;
+    isInside = clampToRect(pixel) == pixel;
+    return pixelUv(pixel);
+}
+
+#endif

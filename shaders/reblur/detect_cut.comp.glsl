@@ -1,0 +1,33 @@
+// Camera cuts that nobody announced: hardly a pixel of the last frame's surfaces is seen again.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#define LOBES 3
+#define SIGNAL 0
+#include "reblur.glsl"
+
+layout(local_size_x = 256) in;
+layout(set = SET_RESOURCES, binding = 0) uniform texture2D gIn_Tiles;
+layout(set = SET_RESOURCES, binding = 1) uniform writeonly image2D gOut_Cut;
+
+const float kMinShare = 0.1;   // a pan of 90 degrees a second still finds nine tenths
+const float kMinSamples = 8.0; // fewer say nothing about the camera
+
+shared vec2 sCount[256]; // samples, and those found again
+
+void main()
+{
+    int lane = int(gl_LocalInvocationIndex);
+    ivec2 tiles = (g.rectSizeMinusOne + TILE_SIZE) / TILE_SIZE;
+    vec2 count = vec2(0.0);
+    for (int i = lane; i < tiles.x * tiles.y; i += 256)
+        count += texelFetch(gIn_Tiles, ivec2(i % tiles.x, i / tiles.x), 0).yz * float(CUT_SAMPLES_PER_TILE);
+    sCount[lane] = count;
+    for (int stride = 128; stride > 0; stride /= 2)
+    {
+        barrier();
+        if (lane < stride) sCount[lane] += sCount[lane + stride];
+    }
+    if (lane > 0) return;
+    bool isCut = sCount[0].x >= kMinSamples && sCount[0].y < kMinShare * sCount[0].x;
+    imageStore(gOut_Cut, ivec2(0), vec4(isCut ? 1.0 : 0.0));
+}

@@ -1,0 +1,31 @@
+// Motion: where a surface was, on screen and in space.
+#ifndef MOTION_GLSL
+#define MOTION_GLSL
+#include "reblur.glsl"
+
+struct Motion
+{
+    vec2 uv;    // on the previous screen
+    vec3 Xprev; // origin at the current camera
+};
+
+// X: position now; texel: of IN_MV.
+Motion followMotion(vec2 uv, float viewZ, vec3 X, vec3 texel)
+{
+    Motion motion;
+    vec3 mv = texel * g.motionVectorScale.xyz;
+    if (g.motionVectorScale.w != 0.0)
+    {
+        motion.Xprev = X + mv;
+        motion.uv = projectToUv(g.worldToClipPrev, motion.Xprev);
+        return motion;
+    }
+    motion.uv = uv + mv.xy;
+    // 2D motion knows no depth: the surface is taken as static.
+    float viewZPrev = g.motionVectorScale.z != 0.0 ? viewZ + mv.z : transform(g.worldToViewPrev, X).z;
+    vec3 Xv = reconstructViewPosition(motion.uv, g.frustumPrev, max(viewZPrev, 1e-4), g.cameraDelta.w);
+    motion.Xprev = transform(g.viewToWorldPrev, Xv);
+    return motion;
+}
+
+#endif
