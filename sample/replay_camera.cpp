@@ -19,6 +19,13 @@ std::array<double, 3> cameraPositionOf(const Matrix& worldToView)
     return position;
 }
 
+std::array<double, 4> frustumOf(const Matrix& viewToClip)
+{
+    // ndc.x = (m0 x + m8 z) / (m11 z), solved for x / z.
+    const Matrix& m = viewToClip;
+    return {(-m[11] - m[8]) / m[0], (m[11] - m[9]) / m[5], 2.0 * m[11] / m[0], -2.0 * m[11] / m[5]};
+}
+
 nrd::CommonSettings commonSettingsOf(const CaptureInfo& info, size_t frameIndex)
 {
     const CaptureFrame& now = info.frames.at(frameIndex);

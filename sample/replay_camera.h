@@ -14,4 +14,8 @@ nrd::HitDistanceParameters hitDistanceParametersOf(const CaptureInfo& info);
 
 // World position of the camera of a rigid world-to-view matrix.
 std::array<double, 3> cameraPositionOf(const Matrix& worldToView);
+
+// Slopes x/z and y/z of the view ray through uv (0, 0), then their change to uv (1, 1); rays of an orthographic camera
+// have equal slopes.
+std::array<double, 4> frustumOf(const Matrix& viewToClip);
 } // namespace sample
