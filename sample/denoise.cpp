@@ -157,7 +157,7 @@ void DenoiseStage::record(VkCommandBuffer cmd, FrameImages& images, const Denois
             if (lobe) lobe->recordPack(cmd, images, frame.view.frameIndex);
         denoise(cmd, images, frame);
         for (auto& lobe : m_lobes)
-            if (lobe) lobe->recordUnpack(cmd, images, frame.view, frame.denoisingRange);
+            if (lobe) lobe->recordUnpack(cmd, images, frame.denoisingRange);
     }
     compose(cmd, images);
     if (m_desc.denoiser.family == Family::Reference) denoise(cmd, images, frame);

@@ -56,8 +56,6 @@ struct PackConstants
 
 struct UnpackConstants
 {
-    glm::mat4 viewToWorld;
-    glm::vec4 frustum;
     glm::uvec2 size;
     uint32_t mode;
     uint32_t isDiffuse;
@@ -109,7 +107,10 @@ void LobeSignal::recordPack(VkCommandBuffer cmd, FrameImages& frame, uint32_t fr
 {
     const bool isDiffuse = m_desc.lobe == Lobe::Diffuse;
     engine::Image& signal = isDiffuse ? frame.diffuse : frame.specular;
-    engine::Image& direction = isDiffuse ? frame.diffuseDirection : frame.specularDirection;
+    // Light has the direction it comes from, occlusion that of the ray whose distance it is.
+    const bool isLight = m_desc.format == LobeFormat::Sh;
+    engine::Image& direction = isDiffuse ? (isLight ? frame.diffuseOrigin : frame.diffuseDirection)
+                                         : (isLight ? frame.specularOrigin : frame.specularDirection);
     for (engine::Image* in : {&frame.viewZ, &frame.normalRoughness, &signal, &direction})
         transition(cmd, *in, engine::kSampled);
     for (Slot& slot : m_inputs)
@@ -128,7 +129,7 @@ void LobeSignal::recordPack(VkCommandBuffer cmd, FrameImages& frame, uint32_t fr
     }
 }
 
-void LobeSignal::recordUnpack(VkCommandBuffer cmd, FrameImages& frame, const View& view, float denoisingRange)
+void LobeSignal::recordUnpack(VkCommandBuffer cmd, FrameImages& frame, float denoisingRange)
 {
     for (engine::Image* in : {&frame.viewZ, &frame.normalRoughness, &m_outputs.front().image, &m_outputs.back().image})
         transition(cmd, *in, engine::kSampled);
@@ -136,13 +137,8 @@ void LobeSignal::recordUnpack(VkCommandBuffer cmd, FrameImages& frame, const Vie
     if (!m_unpackSet)
         m_unpackSet = m_unpack.createSet(
             {frame.viewZ, frame.normalRoughness, m_outputs.front().image, m_outputs.back().image, m_values});
-    const UnpackConstants constants = {
-        glm::inverse(view.camera.worldToView),
-        glm::vec4(view.camera.tanHalfFovX, view.camera.tanHalfFovY, view.jitter.x, view.jitter.y),
-        glm::uvec2(m_desc.width, m_desc.height),
-        m_outputs.front().mode,
-        m_desc.lobe == Lobe::Diffuse,
-        denoisingRange};
+    const UnpackConstants constants = {glm::uvec2(m_desc.width, m_desc.height), m_outputs.front().mode,
+                                       m_desc.lobe == Lobe::Diffuse, denoisingRange};
     m_unpack.dispatch(cmd, m_unpackSet, bytesOf(constants),
                       {engine::groupCount(m_desc.width, kGroupSize), engine::groupCount(m_desc.height, kGroupSize), 1});
 }

@@ -30,7 +30,7 @@ public:
     /// Fills the input slots; the frame's images end in sampled state. They must be the same ones in every call.
     void recordPack(VkCommandBuffer cmd, FrameImages& frame, uint32_t frameIndex);
     /// Fills values() from the output slots, which the denoiser has written.
-    void recordUnpack(VkCommandBuffer cmd, FrameImages& frame, const View& view, float denoisingRange);
+    void recordUnpack(VkCommandBuffer cmd, FrameImages& frame, float denoisingRange);
 
     /// Input and output slots.
     std::vector<SlotImage> slots();

@@ -46,7 +46,11 @@ struct FrameImages
     engine::Image specularDirection;
     engine::Image diffuseFactor;
     engine::Image specularFactor;
-    engine::Image direct; // RGBA16F
+    engine::Image direct;
+    // Not in captures. Where a sample's radiance comes from: between the directions of the bounce and of the light that
+    // was sampled at the surface, by luminance; up to unit length.
+    engine::Image diffuseOrigin;
+    engine::Image specularOrigin;
 };
 
 /// Where and when a frame is traced from.

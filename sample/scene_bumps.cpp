@@ -14,7 +14,6 @@ constexpr float kDuration = 8.0f;
 constexpr float kTile = 0.4f; // metres that one repetition of the relief spans
 constexpr int kTextureSize = 256;
 constexpr int kStuds = 4; // per tile and side
-constexpr float kTwoPi = 6.28318531f;
 
 enum MaterialIndex
 {
@@ -24,13 +23,12 @@ enum MaterialIndex
     Lamp
 };
 
-// Height in tiles, at (u, v) in tiles: studs with flat gaps between them, a fine grain on top.
+// Height in tiles, at (u, v) in tiles: studs with flat gaps between them.
 float height(float u, float v)
 {
     const glm::vec2 p = glm::fract(glm::vec2(u, v) * float(kStuds)) - 0.5f;
     const float dome = std::max(0.0f, 1.0f - glm::dot(p, p) / 0.2f);
-    const float grain = std::sin(kTwoPi * 12.0f * u) * std::sin(kTwoPi * 12.0f * v);
-    return 0.045f * dome * dome + 0.0025f * grain;
+    return 0.03f * dome * dome;
 }
 
 Texture makeNormalMap()
@@ -54,8 +52,8 @@ Texture makeNormalMap()
 std::vector<Material> makeMaterials()
 {
     std::vector<Material> materials = {
-        makeMaterial("white", glm::vec3(0.7f), 0.0f, 0.9f),
-        makeMaterial("rubber", glm::vec3(0.5f, 0.25f, 0.2f), 0.0f, 0.6f),
+        makeMaterial("white", glm::vec3(0.2f), 0.0f, 0.9f),
+        makeMaterial("rubber", glm::vec3(0.6f, 0.4f, 0.3f), 0.0f, 0.6f),
         makeMaterial("metal", glm::vec3(0.9f, 0.8f, 0.65f), 1.0f, 0.35f),
         makeMaterial("lamp", glm::vec3(0.8f), 0.0f, 1.0f),
     };
@@ -69,20 +67,19 @@ std::vector<Material> makeMaterials()
     return materials;
 }
 
-// The floor is rubber on the left and metal on the right, the back wall the other way round.
+// Rubber but for the right half of the back wall, which is metal.
 Mesh makeRoom()
 {
     const glm::vec3 low(-kHalfWidth, 0.0f, -kHalfDepth), high(kHalfWidth, kHeight, kHalfDepth);
     const glm::vec3 x(2 * kHalfWidth, 0, 0), y(0, kHeight, 0), z(0, 0, 2 * kHalfDepth), half = 0.5f * x;
     Mesh mesh;
-    mesh.primitives.push_back(makeQuad(Rubber, low, z, half));
-    mesh.primitives.push_back(makeQuad(Metal, low + half, z, half));
-    mesh.primitives.push_back(makeQuad(Metal, low, half, y));
-    mesh.primitives.push_back(makeQuad(Rubber, low + half, half, y));
+    mesh.primitives.push_back(makeQuad(Rubber, low, z, x));
+    mesh.primitives.push_back(makeQuad(Rubber, low, half, y));
+    mesh.primitives.push_back(makeQuad(Metal, low + half, half, y));
     mesh.primitives.push_back(makeQuad(White, high, -x, -z)); // ceiling
     mesh.primitives.push_back(makeQuad(White, high, -y, -x)); // behind the camera
-    mesh.primitives.push_back(makeQuad(White, low, y, z));
-    mesh.primitives.push_back(makeQuad(White, high, -z, -y));
+    mesh.primitives.push_back(makeQuad(Rubber, low, y, z));
+    mesh.primitives.push_back(makeQuad(Rubber, high, -z, -y));
     // On the left wall, so low that its light grazes the floor.
     const glm::vec3 corner(-kHalfWidth + 0.02f, 0.5f, -1.4f);
     mesh.primitives.push_back(makeQuad(Lamp, corner, glm::vec3(0, 1.0f, 0), glm::vec3(0, 0, 2.0f)));

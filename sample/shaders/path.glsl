@@ -18,7 +18,14 @@ struct PathSums
     float specularDistance;
     vec3 diffuseDirection;  // of the last sample
     vec3 specularDirection;
+    vec3 diffuseOrigin;     // where the radiance of the last sample comes from
+    vec3 specularOrigin;
 };
+
+PathSums noPaths()
+{
+    return PathSums(vec3(0.0), vec3(0.0), 0.0, 0.0, 0.0, 0.0, vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0));
+}
 
 float powerHeuristic(float a, float b)
 {
@@ -51,6 +58,7 @@ struct Path
     vec3 throughput;
     vec3 radiance;
     vec3 firstDirection;
+    vec3 firstLight; // direction to the light sampled at the primary surface, times the luminance that came from it
     float firstDistance;
     float spread; // radians the ray widens by
     float width;  // of the ray, world units
@@ -60,7 +68,7 @@ struct Path
 Path startPath(Surface primary, Bsdf bsdf, uint lobes, uint index, uint seed, float width)
 {
     return Path(primary, bsdf, lobes, lobes, 0u, hash(seed ^ (lobes * 0x9E3779B9u)), index, vec3(1.0), vec3(0.0),
-                vec3(0.0), 0.0, g.frustum.z, width, 0.0);
+                vec3(0.0), vec3(0.0), 0.0, g.frustum.z, width, 0.0);
 }
 
 // Light that reaches this vertex directly.
@@ -72,7 +80,9 @@ void addLight(inout Path path, float choice, vec2 u)
     contribution *= light.pdf > 0.0 ? powerHeuristic(light.pdf, toLight.pdf) : 1.0;
     float reach = brightest(contribution) > 0.0 ? light.distance : 0.0;
     Hit shadow = traceRay(offsetOrigin(path.surface, light.direction), light.direction, reach, true);
-    path.radiance += shadow.triangle == kNoHit ? contribution : vec3(0.0);
+    contribution *= shadow.triangle == kNoHit ? 1.0 : 0.0;
+    path.radiance += contribution;
+    if (path.bounce == 0u) path.firstLight = light.direction * luminance(contribution);
 }
 
 // False: the path ends here. `u` picks the direction, `choice` the lobe, `chance` plays roulette.
@@ -139,6 +149,15 @@ uint lobesOf(uint item, Split split)
     return (item & 1u) == 0u ? kDiffuseLobe : kSpecularLobe;
 }
 
+// Mean of the directions from which a path's radiance reaches the primary surface: the sampled light's and the bounce's.
+// Shorter than 1 where they differ.
+vec3 originOf(Path path)
+{
+    float all = luminance(path.radiance), light = length(path.firstLight);
+    return all > 0.0 ? (path.firstLight + path.firstDirection * max(all - light, 0.0)) / max(all, light)
+                     : path.firstDirection;
+}
+
 void finishPath(inout PathSums sums, Path path, Split split, vec2 hitDistanceScales)
 {
     bool isDiffuse = path.firstLobes == kDiffuseLobe, isSpecular = path.firstLobes == kSpecularLobe;
@@ -152,17 +171,19 @@ void finishPath(inout PathSums sums, Path path, Split split, vec2 hitDistanceSca
         sums.specularHit += normalized;
         sums.specularDistance = path.firstDistance;
         sums.specularDirection = path.firstDirection;
+        sums.specularOrigin = originOf(path);
         return;
     }
     sums.diffuse += demodulated;
     sums.diffuseHit += normalized;
     sums.diffuseDistance = path.firstDistance;
     sums.diffuseDirection = path.firstDirection;
+    sums.diffuseOrigin = originOf(path);
 }
 
 PathSums tracePaths(Surface primary, float viewZ, float width, Split split, uint seed)
 {
-    PathSums sums = PathSums(vec3(0.0), vec3(0.0), 0.0, 0.0, 0.0, 0.0, vec3(0.0), vec3(0.0));
+    PathSums sums = noPaths();
     vec2 scales = vec2(g.hitDistanceParameters.x + g.hitDistanceParameters.y * abs(viewZ));
     scales.y *= mix(g.hitDistanceParameters.z, 1.0, lobeSpread(primary.roughness));
     Bsdf bsdf = makeBsdf(primary);

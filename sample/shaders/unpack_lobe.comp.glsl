@@ -1,5 +1,5 @@
 // What the denoiser made of a lobe, as linear radiance and in .w the normalised hit distance. The directional forms are
-// resolved for the pixel's own normal.
+// resolved for the pixel's own, full-detail normal.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_samplerless_texture_functions : require
@@ -14,20 +14,35 @@ layout(set = 0, binding = 3) uniform texture2D gIn_Sh1; // gIn_Slot again where 
 layout(set = 0, binding = 4) uniform writeonly image2D gOut_Values;
 layout(push_constant) uniform Constants
 {
-    mat4 viewToWorld;
-    vec4 frustum; // .xy tangents of the half angles, .zw jitter in pixels
-    uvec2 size;   // pixels
-    uint mode;    // LOBE_..., not LOBE_SH1
+    uvec2 size; // pixels
+    uint mode;  // LOBE_..., not LOBE_SH1
     uint isDiffuse;
     float denoisingRange; // world units
 };
 
-// Unit, world space, from the surface to the camera.
-vec3 viewVector(ivec2 pixel)
+const int kRadius = 3;                // pixels
+const float kDiffuseNormalAngle = 0.4; // radians, about what the blur lets pass while a history is short
+
+// Mean of the normals that the blur mixes at this pixel.
+vec3 blurredNormal(ivec2 pixel, vec3 normal)
 {
-    vec2 uv = (vec2(pixel) + 0.5 + frustum.zw) / vec2(size);
-    vec3 ray = vec3((2.0 * uv.x - 1.0) * frustum.x, (1.0 - 2.0 * uv.y) * frustum.y, -1.0);
-    return -normalize(mat3(viewToWorld) * ray);
+    vec3 sum = vec3(0.0);
+    for (int y = -kRadius; y <= kRadius; ++y)
+        for (int x = -kRadius; x <= kRadius; ++x)
+        {
+            ivec2 at = clamp(pixel + ivec2(x, y), ivec2(0), ivec2(size) - 1);
+            vec3 n = texelFetch(gIn_NormalRoughness, at, 0).xyz;
+            sum += n * max(1.0 - acos(clamp(dot(n, normal), -1.0, 1.0)) / kDiffuseNormalAngle, 0.0);
+        }
+    return NRD_NormalizeOrZero(sum);
+}
+
+// The specular blur hardly mixes normals, so its colour is right as it is.
+vec3 resolve(NRD_SG lobe, ivec2 pixel)
+{
+    if (isDiffuse == 0u) return NRD_SG_ExtractColor(lobe);
+    vec3 normal = texelFetch(gIn_NormalRoughness, pixel, 0).xyz;
+    return NRD_SG_RestoreDiffuse(lobe, normal, blurredNormal(pixel, normal));
 }
 
 vec4 unpack(ivec2 pixel)
@@ -37,11 +52,7 @@ vec4 unpack(ivec2 pixel)
     if (mode == LOBE_HIT_DISTANCE) return vec4(vec3(0.0), data.x);
     if (mode == LOBE_DIRECTION) return vec4(vec3(0.0), REBLUR_BackEnd_UnpackDirectionalOcclusion(data).normHitDist);
     NRD_SG lobe = REBLUR_BackEnd_UnpackSh(data, texelFetch(gIn_Sh1, pixel, 0));
-    vec4 surface = texelFetch(gIn_NormalRoughness, pixel, 0);
-    vec3 view = viewVector(pixel);
-    vec3 radiance = isDiffuse != 0u ? NRD_SG_ResolveDiffuse(lobe, surface.xyz, view, surface.w)
-                                    : NRD_SG_ResolveSpecular(lobe, surface.xyz, view, surface.w);
-    return vec4(radiance, lobe.normHitDist);
+    return vec4(resolve(lobe, pixel), lobe.normHitDist);
 }
 
 void main()
