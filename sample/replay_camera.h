@@ -9,7 +9,7 @@ namespace sample
 // Camera, jitter, sizes, time and history of frame `frameIndex`; the rest at its defaults. Frames are in order.
 nrd::CommonSettings commonSettingsOf(const CaptureInfo& info, size_t frameIndex);
 
-// The capture's A, B and C.
+// The capture's A, B and C; A is in world units there, in metres here.
 nrd::HitDistanceParameters hitDistanceParametersOf(const CaptureInfo& info);
 
 // World position of the camera of a rigid world-to-view matrix.

@@ -39,11 +39,11 @@ uint32_t unpackMode(ShResolve resolve)
     return REPLAY_UNPACK_REBLUR_EXTRACT;
 }
 
-// Colours are in .xyz, scalars in .w of four floats per pixel; pixels outside the mask become `sky`.
+// Colours are in .xyz, with alpha in .xyzw, scalars in .w of four floats per pixel; what the mask leaves out is `sky`.
 Picture pictureOf(const std::vector<float>& values, const Mask& surface, const Picture& like, float sky)
 {
     Picture picture = like;
-    const size_t first = picture.planes.size() == 3 ? 0 : 3;
+    const size_t first = picture.planes.size() == 1 ? 3 : 0;
     for (size_t c = 0; c < picture.planes.size(); c++)
         for (size_t i = 0; i < picture.pixelCount(); i++)
             picture.planes[c][i] = counts(surface, i) ? values[i * 4 + first + c] : sky;
@@ -201,11 +201,12 @@ void ReplayGpu::uploadLayers(const Planes& frame)
         engine::upload(*m_device, image, std::as_bytes(std::span<const float>(layerValues(frame, layer))));
 }
 
-void ReplayGpu::recordPack(VkCommandBuffer cmd, Slot& slot, const nrd::HitDistanceParameters& parameters)
+void ReplayGpu::recordPack(VkCommandBuffer cmd, Slot& slot, const ReplaySettings& settings)
 {
     engine::transition(cmd, slot.image, engine::kStorage);
     const bool isMix = slot.row.type == nrd::ResourceType::IN_DISOCCLUSION_THRESHOLD_MIX;
-    const PackConstants constants{{parameters.A, parameters.B, parameters.C, 0.0f},
+    const nrd::HitDistanceParameters& p = settings.reblur.hitDistanceParameters;
+    const PackConstants constants{{p.A * settings.common.metersToUnits, p.B, p.C, 0.0f},
                                   slot.row.mode,
                                   slot.row.isDiffuse,
                                   {static_cast<uint32_t>(m_info.width), static_cast<uint32_t>(m_info.height)},
@@ -243,7 +244,7 @@ void ReplayGpu::recordDenoise(VkCommandBuffer cmd)
 void ReplayGpu::record(VkCommandBuffer cmd, const ReplaySettings& settings, bool isWanted)
 {
     for (Slot& slot : m_slots)
-        if (!slot.row.isOutput) recordPack(cmd, slot, settings.reblur.hitDistanceParameters);
+        if (!slot.row.isOutput) recordPack(cmd, slot, settings);
     recordDenoise(cmd);
     if (!isWanted) return;
     for (Slot& slot : m_slots) recordUnpack(cmd, slot);
@@ -267,7 +268,8 @@ ReplayedFrame ReplayGpu::denoise(const Planes& frame, bool isWanted)
 ReplayedFrame ReplayGpu::read(const Planes& frame, bool isHistoryLength)
 {
     const Mask surface = surfaceMask(frame, m_info.denoisingRange);
-    const Picture colour(frame.width, frame.height, 3), scalar(frame.width, frame.height, 1);
+    const Picture overlay(frame.width, frame.height, 4), colour(frame.width, frame.height, 3),
+        scalar(frame.width, frame.height, 1);
     ReplayedFrame result;
     for (Slot& slot : m_slots)
     {
@@ -276,9 +278,9 @@ ReplayedFrame ReplayGpu::read(const Planes& frame, bool isHistoryLength)
             const std::vector<float> values = engine::readBackAs<float>(*m_device, reading.values);
             const SlotRow& row = slot.row;
             Signals& signals = reading.isExtracted ? result.extracted : result.signals;
-            if (row.type == nrd::ResourceType::OUT_VALIDATION) result.overlay = pictureOf(values, {}, colour, 0.0f);
+            if (row.type == nrd::ResourceType::OUT_VALIDATION) result.overlay = pictureOf(values, {}, overlay, 0.0f);
             if (row.radiance) signals[*row.radiance] = pictureOf(values, surface, colour, 0.0f);
-            if (!row.scalar || isHistoryLength) continue;
+            if (!row.scalar || (row.radiance && isHistoryLength)) continue;
             signals[*row.scalar] = pictureOf(values, surface, scalar, 1.0f);
         }
     }

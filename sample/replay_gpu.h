@@ -41,7 +41,7 @@ struct ReplayedFrame
 {
     Signals signals;
     Signals extracted; // SH that are resolved: the same with the colours before the resolve; else nothing
-    Picture overlay;   // RGB in [0; 1] for the screen; empty when not wanted or not drawn
+    Picture overlay;   // RGBA in [0; 1] for the screen; empty when not wanted or not drawn
 };
 
 // Frames go in one after the other, from 0 on. Throws engine::Error, SettingError and FileError.
@@ -90,7 +90,7 @@ private:
     ReplaySettings settingsOfFrame() const;
     void uploadLayers(const Planes& frame);
     void record(VkCommandBuffer cmd, const ReplaySettings& settings, bool isWanted);
-    void recordPack(VkCommandBuffer cmd, Slot& slot, const nrd::HitDistanceParameters& parameters);
+    void recordPack(VkCommandBuffer cmd, Slot& slot, const ReplaySettings& settings);
     void recordUnpack(VkCommandBuffer cmd, Slot& slot);
     void recordDenoise(VkCommandBuffer cmd);
     ReplayedFrame read(const Planes& frame, bool isHistoryLength);

@@ -192,7 +192,7 @@ private:
             compose(denoised, frame, {});
         if (!isWritten) return;
         write(index, denoised, hasReference);
-        if (result.overlay.exists()) writeOverlayPng(m_options.out, index, result.overlay);
+        if (result.overlay.exists()) writeOverlayPng(m_options.out, index, result.overlay, denoised[Signal::Composed]);
     }
 
     void write(size_t index, const Signals& denoised, bool hasReference) const

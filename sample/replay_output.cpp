@@ -47,8 +47,19 @@ void writeComposedPng(const std::filesystem::path& folder, const char* stem, siz
     if (composed.exists()) writePng(numbered(folder, stem, frameIndex, "png"), interleaved(composed));
 }
 
-void writeOverlayPng(const std::filesystem::path& folder, size_t frameIndex, const Picture& overlay)
+void writeOverlayPng(const std::filesystem::path& folder, size_t frameIndex, const Picture& overlay,
+                     const Picture& composed)
 {
-    writeEncodedPng(numbered(folder, "validation", frameIndex, "png"), interleaved(overlay));
+    Image image = composed.exists() ? interleaved(composed) : Image(overlay.width, overlay.height);
+    for (size_t i = 0; i < overlay.pixelCount(); i++)
+    {
+        const float alpha = overlay.planes[3][i];
+        for (size_t c = 0; c < 3; c++)
+        {
+            float& value = image.rgba[i * 4 + c];
+            value = alpha * overlay.planes[c][i] + (1.0f - alpha) * toneMap(value);
+        }
+    }
+    writeEncodedPng(numbered(folder, "validation", frameIndex, "png"), image);
 }
 } // namespace sample

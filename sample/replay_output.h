@@ -14,6 +14,8 @@ void writeDenoisedExr(const std::filesystem::path& folder, size_t frameIndex, co
 void writeComposedPng(const std::filesystem::path& folder, const char* stem, size_t frameIndex,
                       const Picture& composed);
 
-// Writes validation_NNNN.png of an overlay, RGB in [0; 1] for the screen. Throws FileError.
-void writeOverlayPng(const std::filesystem::path& folder, size_t frameIndex, const Picture& overlay);
+// Writes validation_NNNN.png: the overlay, RGBA in [0; 1] for the screen, over the composed picture, or over black when
+// there is none. Throws FileError.
+void writeOverlayPng(const std::filesystem::path& folder, size_t frameIndex, const Picture& overlay,
+                     const Picture& composed);
 } // namespace sample

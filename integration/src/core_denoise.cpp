@@ -70,7 +70,9 @@ void Core::checkRequest(rhi::Span<const Identifier> identifiers, const NrdUserPo
 
 void Core::checkUserPool(const DenoiserState& denoiser, const NrdUserPool& userPool) const
 {
-    const SlotRules rules = {m_desc.resourceWidth, m_desc.resourceHeight, description().normalEncoding};
+    const uint32_t divisor = denoiser.desc.resolutionDivisor;
+    const SlotRules rules = {(m_desc.resourceWidth + divisor - 1) / divisor,
+                             (m_desc.resourceHeight + divisor - 1) / divisor, description().normalEncoding};
     const ResourceRequirement* needs = nullptr;
     uint32_t needCount = 0;
     check(GetRequiredResources(*m_instance, denoiser.desc.identifier, needs, needCount));

@@ -10,11 +10,17 @@ namespace
 {
 using Memory = std::pmr::memory_resource;
 
+uint16_t factorOf(const CompiledDenoiser& denoiser, const Texture& texture)
+{
+    const uint32_t factor = uint32_t{texture.row->downsampleFactor} * denoiser.resolutionDivisor;
+    return static_cast<uint16_t>(std::min(factor, uint32_t{kOneTexel}));
+}
+
 void addPermanentTextures(CompiledDenoiser& denoiser, std::pmr::vector<TextureDesc>& pool)
 {
     for (const Texture& texture : denoiser.program.textures)
     {
-        const TextureDesc desc = {texture.format, texture.row->downsampleFactor};
+        const TextureDesc desc = {texture.format, factorOf(denoiser, texture)};
         PoolPlace place = {ResourceType::PERMANENT_POOL, static_cast<uint16_t>(pool.size()), 0};
         switch (texture.row->lifetime)
         {
@@ -46,7 +52,7 @@ void placeTransientTextures(Compiled& compiled, Memory* memory)
         {
             if (program.textures[i].row->lifetime != Lifetime::Transient) continue;
             const Life life = lifeOf(program, i);
-            textures.push_back({program.textures[i].format, program.textures[i].row->downsampleFactor,
+            textures.push_back({program.textures[i].format, factorOf(denoiser, program.textures[i]),
                                 firstPass + life.first, firstPass + life.last});
             places.push_back(&denoiser.places[i]);
         }
@@ -72,16 +78,25 @@ public:
     {
         if (!binding.isTexture())
         {
-            if (m_denoiser.program.family->areOutputsCleared) add(binding.type, 0, Format::RGBA16_SFLOAT, 1);
+            if (m_denoiser.program.family->areOutputsCleared && isSignal(binding.type))
+                add(binding.type, 0, Format::RGBA16_SFLOAT, m_denoiser.resolutionDivisor);
             return;
         }
         const Texture& texture = m_denoiser.program.textures[binding.texture];
         const PoolPlace& place = m_denoiser.places[binding.texture];
-        add(place.pool, place.index, texture.format, texture.row->downsampleFactor);
-        add(place.pool, place.pairedIndex, texture.format, texture.row->downsampleFactor);
+        add(place.pool, place.index, texture.format, factorOf(m_denoiser, texture));
+        add(place.pool, place.pairedIndex, texture.format, factorOf(m_denoiser, texture));
     }
 
 private:
+    // What else a user may bind is there only at times, and written whole by its pass.
+    bool isSignal(ResourceType type) const
+    {
+        const auto& signals = m_denoiser.program.variant->signals;
+        const auto isOutput = [type](const SignalRow& signal) { return signal.output == type; };
+        return std::any_of(signals.begin(), signals.end(), isOutput);
+    }
+
     void add(ResourceType type, uint16_t index, Format format, uint16_t factor)
     {
         for (const ClearTarget& clear : m_denoiser.clears)
@@ -162,6 +177,7 @@ void compile(const InstanceCreationDesc& desc, Compiled& compiled)
     {
         CompiledDenoiser& denoiser = compiled.denoisers.emplace_back();
         denoiser.identifier = desc.denoisers[i].identifier;
+        denoiser.resolutionDivisor = static_cast<uint16_t>(desc.denoisers[i].resolutionDivisor);
         denoiser.program = expand(findVariant(desc.denoisers[i].denoiser), desc.normalEncoding);
         denoiser.settings = denoiser.program.family->defaults;
         addPermanentTextures(denoiser, compiled.permanentPool);

@@ -28,6 +28,7 @@ using Name = FixedText<80>; // "DENOISER - Pass"
 struct CompiledDenoiser
 {
     Identifier identifier = 0;
+    uint16_t resolutionDivisor = 1;
     Program program;
     FixedList<PoolPlace, 32> places;   // of Program::textures
     FixedList<uint16_t, 20> pipelines; // of Program::passes with all switches off; bit i on = switch i

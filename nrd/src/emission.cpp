@@ -1,6 +1,8 @@
 // A request -> dispatches, in memory reserved at creation.
 #include "instance.h"
+#include <algorithm>
 #include <cstring>
+#include <iterator>
 
 namespace nrd
 {
@@ -9,6 +11,16 @@ namespace
 constexpr uint32_t kClearGroupSize = 16;
 
 uint32_t divideUp(uint32_t a, uint32_t b) { return (a + b - 1) / b; }
+
+// A cut that nobody announced: the camera looks elsewhere, or the "previous" view is not the one of the last request.
+bool isCut(const CommonSettings& common, const RequestHistory& last)
+{
+    constexpr double kMinOverlap = 0.1;
+    constexpr double kMaxMismatch = 30.0; // degrees
+    if (!common.enableCutDetection || !last.isValid) return false;
+    return findViewOverlap(common) < kMinOverlap ||
+           angleBetween(common.worldToViewMatrixPrev, last.worldToView) > kMaxMismatch;
+}
 
 // A texture that one dispatch both reads and writes needs one state for both.
 void mergeStates(ResourceDesc* resources, size_t num)
@@ -90,8 +102,9 @@ void Instance::emitPass(const CompiledDenoiser& denoiser, size_t index, const Co
         (last->constantBufferData == m_constantBlock ||
          std::memcmp(last->constantBufferData, m_constantBlock, byteSize) == 0);
 
-    dispatch.gridWidth = divideUp(divideUp(m_common.rectSize[0], pass.row->gridFactor), pass.row->group.x);
-    dispatch.gridHeight = divideUp(divideUp(m_common.rectSize[1], pass.row->gridFactor), pass.row->group.y);
+    const uint16_t(&rect)[2] = conditions.common.rectSize;
+    dispatch.gridWidth = divideUp(divideUp(rect[0], pass.row->gridFactor), pass.row->group.x);
+    dispatch.gridHeight = divideUp(divideUp(rect[1], pass.row->gridFactor), pass.row->group.y);
     dispatch.indirectBufferIndex = kNoBuffer;
     m_dispatches.push_back(dispatch);
 }
@@ -109,9 +122,10 @@ void Instance::emit(CompiledDenoiser& denoiser)
     const RequestHistory& last = denoiser.history;
     const AccumulationMode mode = m_common.accumulationMode;
     const bool isCleared = !last.isCleared || mode == AccumulationMode::CLEAR_AND_RESTART;
-    const bool isReset = isCleared || !last.isValid || mode == AccumulationMode::RESTART;
+    const bool isReset = isCleared || !last.isValid || mode == AccumulationMode::RESTART || isCut(m_common, last);
 
-    const CommonSettings common = isReset ? withoutPreviousFrame(m_common) : m_common;
+    const CommonSettings resized = atResolution(m_common, denoiser.resolutionDivisor);
+    const CommonSettings common = isReset ? withoutPreviousFrame(resized) : resized;
     const FrameState frame = makeFrameState(common, m_frameRateScale);
     const Variant& variant = *denoiser.program.variant;
     const Request request = {common, denoiser.settings, frame, last, variant, isReset};
@@ -126,6 +140,7 @@ void Instance::emit(CompiledDenoiser& denoiser)
 
     RequestHistory next = denoiser.program.family->advance(request);
     next.requestNum = last.requestNum + 1;
+    std::copy(std::begin(m_common.worldToViewMatrix), std::end(m_common.worldToViewMatrix), next.worldToView);
     next.isCleared = true;
     denoiser.history = next;
     denoiser.isRequested = true;

@@ -58,6 +58,14 @@ Double3 findCameraDelta(const CommonSettings& common, const Camera& current, con
     return {common.cameraDelta[0], common.cameraDelta[1], common.cameraDelta[2]};
 }
 
+// What is left of an absolute position once single precision must do: its place in a cube of whole units.
+Double3 wrapped(const Double3& position)
+{
+    constexpr double kPeriod = 1024.0;
+    const auto wrap = [](double x) { return x - kPeriod * std::floor(x / kPeriod); };
+    return {wrap(position.x), wrap(position.y), wrap(position.z)};
+}
+
 // Motion on screen is a difference of what IN_VIEWZ stores; the shaders know its absolute value in units.
 shared::vec4 makeMotionVectorScale(const CommonSettings& common, double viewZSign)
 {
@@ -113,6 +121,7 @@ FrameState makeFrameState(const CommonSettings& common, float frameRateScale)
     state.frustumPrev = toShared(previous.projection.frustum);
     state.cameraDelta = toShared(delta, current.projection.isOrthographic ? 1.0 : 0.0);
     state.viewDirection = toShared(-current.rotation.row(2), 0.0);
+    state.cameraPosition = toShared(wrapped(current.position), 0.0);
     state.motionVectorScale = makeMotionVectorScale(common, current.projection.viewZSign);
 
     state.unproject = static_cast<float>(2.0 / (common.rectSize[1] * current.projection.yScale));
@@ -131,6 +140,60 @@ CommonSettings withoutPreviousFrame(const CommonSettings& common)
     std::copy(std::begin(common.resourceSize), std::end(common.resourceSize), result.resourceSizePrev);
     std::copy(std::begin(common.cameraJitter), std::end(common.cameraJitter), result.cameraJitterPrev);
     return result;
+}
+
+CommonSettings atResolution(const CommonSettings& common, uint32_t divisor)
+{
+    CommonSettings result = common;
+    for (size_t axis = 0; axis < 2; axis++)
+    {
+        for (auto size : {&CommonSettings::resourceSize, &CommonSettings::resourceSizePrev, &CommonSettings::rectSize,
+                          &CommonSettings::rectSizePrev})
+        {
+            (result.*size)[axis] = static_cast<uint16_t>(((common.*size)[axis] + divisor - 1) / divisor);
+        }
+        result.rectOrigin[axis] = static_cast<uint16_t>(common.rectOrigin[axis] / divisor);
+        result.cameraJitter[axis] = common.cameraJitter[axis] / static_cast<float>(divisor);
+        result.cameraJitterPrev[axis] = common.cameraJitterPrev[axis] / static_cast<float>(divisor);
+    }
+    return result;
+}
+
+double angleBetween(const float (&a)[16], const float (&b)[16])
+{
+    double trace = 0.0;
+    for (size_t column = 0; column < 3; column++)
+    {
+        for (size_t row = 0; row < 3; row++)
+            trace += static_cast<double>(a[column * 4 + row]) * static_cast<double>(b[column * 4 + row]);
+    }
+    constexpr double kDegrees = 57.295779513082320877;
+    return std::acos(std::clamp(0.5 * (trace - 1.0), -1.0, 1.0)) * kDegrees;
+}
+
+double findViewOverlap(const CommonSettings& common)
+{
+    constexpr int kGrid = 5;
+    const Camera current = makeCamera(common.viewToClipMatrix, common.worldToViewMatrix);
+    const Camera previous = makeCamera(common.viewToClipMatrixPrev, common.worldToViewMatrixPrev);
+    const Double4x4 viewToWorld = transposedRotation(current.rotation);
+    if (current.projection.isOrthographic || previous.projection.isOrthographic)
+    {
+        constexpr double kSameSide = 60.0; // degrees
+        return angleBetween(common.worldToViewMatrix, common.worldToViewMatrixPrev) < kSameSide ? 1.0 : 0.0;
+    }
+    const double(&now)[4] = current.projection.frustum;
+    const double(&then)[4] = previous.projection.frustum;
+    int found = 0;
+    for (int i = 0; i < kGrid * kGrid; i++)
+    {
+        const double u = (i % kGrid + 0.5) / kGrid, v = (i / kGrid + 0.5) / kGrid;
+        const Double3 ray = {now[0] + u * now[2], now[1] + v * now[3], 1.0};
+        const Double3 seen = rotate(previous.rotation, rotate(viewToWorld, ray));
+        const double uThen = (seen.x / seen.z - then[0]) / then[2], vThen = (seen.y / seen.z - then[1]) / then[3];
+        found += seen.z > 0.0 && uThen >= 0.0 && uThen <= 1.0 && vThen >= 0.0 && vThen <= 1.0 ? 1 : 0;
+    }
+    return found / static_cast<double>(kGrid * kGrid);
 }
 
 FrameClock tick(const FrameClock& clock, uint32_t frameIndex, double time)

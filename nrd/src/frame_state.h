@@ -32,6 +32,7 @@ struct FrameState
     shared::vec4 frustumPrev;
     shared::vec4 cameraDelta;       // .w 1 = orthographic
     shared::vec4 viewDirection;     // surface to camera
+    shared::vec4 cameraPosition;    // modulo 1024 units
     shared::vec4 motionVectorScale; // .w 1 = world space
     float unproject = 0.0f;         // world size of a pixel at z = 1, or at any z if orthographic
     float minRectDim = 0.0f;        // pixels
@@ -43,6 +44,16 @@ FrameState makeFrameState(const CommonSettings& common, float frameRateScale);
 
 // On reset there is no previous frame to reproject: sizes and jitter become the current ones.
 CommonSettings withoutPreviousFrame(const CommonSettings& common);
+
+// A denoiser of a lower resolution: everything in pixels shrinks, sizes are rounded up.
+CommonSettings atResolution(const CommonSettings& common, uint32_t divisor);
+
+// Share of this frame's view directions that were inside the last frustum; translation is left to the device, which
+// knows depths. Orthographic views overlap as long as they look roughly the same way.
+double findViewOverlap(const CommonSettings& common);
+
+// Degrees between two orientations, columns of rotation matrices.
+double angleBetween(const float (&a)[16], const float (&b)[16]);
 
 // Frame time from a monotonic clock, calm in steady state, quick after jumps.
 struct FrameClock

@@ -240,6 +240,7 @@ struct RequestHistory
     uint32_t meanFrameNum = 0;   // frames in REFERENCE's mean, less one
     uint16_t rectSize[2] = {};   // of the last request
     double worldToClip[16] = {}; // of the last request
+    float worldToView[16] = {};  // of the last request
 };
 
 struct Request

@@ -44,6 +44,7 @@ void checkFilters(Checker& check, const ReblurSettings& s)
 
 void checkModes(Checker& check, const ReblurSettings& s)
 {
+    check.enumerator("prePassMode", s.prePassMode);
     check.enumerator("checkerboardMode", s.checkerboardMode);
     check.enumerator("hitDistanceReconstructionMode", s.hitDistanceReconstructionMode);
 }
@@ -86,6 +87,12 @@ void checkDenoisers(Error& error, const InstanceCreationDesc& desc)
             error.text << "InstanceCreationDesc::denoisers[" << i << "].denoiser is "
                        << static_cast<uint32_t>(denoiser.denoiser) << " (" << toString(denoiser.denoiser)
                        << "), expected one of LibraryDesc::supportedDenoisers";
+        }
+        if (!error && (denoiser.resolutionDivisor < 1 || denoiser.resolutionDivisor > 8))
+        {
+            error.result = Result::INVALID_ARGUMENT;
+            error.text << "InstanceCreationDesc::denoisers[" << i << "].resolutionDivisor is "
+                       << denoiser.resolutionDivisor << ", expected [1; 8]";
         }
         for (uint32_t j = 0; j < i && !error; j++)
         {

@@ -1,7 +1,7 @@
 // Part of nrd_frontend.glsl: include that.
 //
-// Lobe trimming: rays of very low probability make fireflies, so the tail of the specular lobe is cut. Biased by design:
-// leave it off in reference renders.
+// Lobe trimming: rays of very low probability make fireflies, so the tail of the specular lobe is cut. Biased by
+// design: leave it off in reference renders.
 #ifndef NRD_LOBE_TRIMMING_GLSL
 #define NRD_LOBE_TRIMMING_GLSL
 

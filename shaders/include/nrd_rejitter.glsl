@@ -5,14 +5,6 @@
 #ifndef NRD_REJITTER_GLSL
 #define NRD_REJITTER_GLSL
 
-struct NRD_ReJitterSurface
-{
-    vec3 normal; // of this frame, full detail
-    float viewZ;
-    vec3 neighborNormals[4]; // left, right, up, down, in any order
-    vec4 neighborViewZ;      // in the same order
-};
-
 // Lambert-like lobe of Burley towards L, with the cosine.
 float NRD_SG_DiffuseResponse(vec3 normal, vec3 view, vec3 L, float roughness)
 {
@@ -37,29 +29,15 @@ float NRD_SG_SpecularResponse(vec3 normal, vec3 view, vec3 L, float roughness)
     return m2 / (NRD_PI * t * t) * NRD_SmithVisibility(NoL, NoV, m2) * NoL;
 }
 
-// Switches itself off at edges of depth and normal. Written so that NaN in a neighbour's depth is an edge too.
-bool NRD_IsReJitterAllowed(NRD_ReJitterSurface s, vec3 view)
+// Returns (diffuse, specular) scales in [1/2; 2] for the resolved lobes; 1 at edges. Neighbours are the next pixels.
+vec2 NRD_SG_ReJitter(NRD_SG diffSg, NRD_SG specSg, vec3 view, float roughness, NRD_Neighborhood s)
 {
-    float NoV = clamp(abs(dot(s.normal, view)), 0.0, 1.0);
-    float threshold = 0.01 * abs(s.viewZ) / (0.95 * NoV + 0.05);
-    bool isAllowed = true;
-    for (int i = 0; i < 4; i++)
-    {
-        isAllowed = isAllowed && abs(s.neighborViewZ[i] - s.viewZ) <= threshold;
-        isAllowed = isAllowed && dot(s.neighborNormals[i], s.normal) >= 0.01;
-    }
-    return isAllowed;
-}
-
-// Returns (diffuse, specular) scales in [1/2; 2] for the resolved lobes.
-vec2 NRD_SG_ReJitter(NRD_SG diffSg, NRD_SG specSg, vec3 view, float roughness, NRD_ReJitterSurface s)
-{
-    if (!NRD_IsReJitterAllowed(s, view)) return vec2(1.0, 1.0);
     vec3 Ld = NRD_SG_ExtractDirection(diffSg);
     vec3 Ls = NRD_NormalizeOrZero(mix(view, NRD_SG_ExtractDirection(specSg), NRD_GetLobeSpread(roughness, 0.5)));
     vec2 around = vec2(0.0, 0.0);
     for (int i = 0; i < 4; i++)
     {
+        if (!NRD_IsSameSurface(s, i, view)) return vec2(1.0, 1.0);
         around.x += 0.25 * NRD_SG_DiffuseResponse(s.neighborNormals[i], view, Ld, roughness);
         around.y += 0.25 * NRD_SG_SpecularResponse(s.neighborNormals[i], view, Ls, roughness);
     }

@@ -1,7 +1,8 @@
 // Part of nrd_frontend.glsl: include that.
 //
-// Results of the ..._SH and directional denoisers: a lobe's colour and the direction most of it comes from, and what the
-// pixel's own normal makes of them. Use the full-detail normal of the current frame. A resolved lobe replaces the colour.
+// Results of the ..._SH and directional denoisers: a lobe's colour and the direction most of it comes from, and what
+// the pixel's own normal makes of them. Use the full-detail normal of the current frame. A resolved lobe replaces the
+// colour.
 #ifndef NRD_RESOLVE_GLSL
 #define NRD_RESOLVE_GLSL
 

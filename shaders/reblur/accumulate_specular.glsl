@@ -108,6 +108,12 @@ float virtualAmount(float nVirtual, float nSurface)
     return saturate(1.0 + (nVirtual - nSurface) / (1.0 + 0.5 * max(nVirtual, nSurface)));
 }
 
+void showVirtualAmount(ivec2 pixel, float amount)
+{
+    bool isShown = all(equal(pixel & (VIRTUAL_AMOUNT_STEP - 1), ivec2(VIRTUAL_AMOUNT_STEP / 2)));
+    if (g.hasValidation != 0u && isShown) imageStore(gOut_VirtualAmount, pixel / VIRTUAL_AMOUNT_STEP, vec4(amount));
+}
+
 LobeResult accumulateSpecular(Surface s, SurfaceTrack surface)
 {
     LobeResult result;
@@ -138,6 +144,7 @@ LobeResult accumulateSpecular(Surface s, SurfaceTrack surface)
     float amount = virtualAmount(n.y, n.x) * (isAttached ? 1.0 : motion);
     // A position between two different surfaces would smear.
     if (!surface.isCubic || !image.isCubic) amount = amount >= 0.5 ? 1.0 : 0.0;
+    showVirtualAmount(s.pixel, amount);
     HistoryRead read;
     read.position = clamp(mix(surface.uv, image.uv, amount), 0.0, 1.0) * g.rectSizePrev;
     read.weights = mix(surface.weights, image.weights, amount);

@@ -53,6 +53,7 @@ CaptureInfo makeInfo(double signOfZ)
     CaptureInfo info;
     info.width = kWidth;
     info.height = kHeight;
+    info.metersPerUnit = 0.5;
     CaptureFrame frame;
     frame.jitter = {0.25, -0.375};
     frame.viewToClip = {1.2, 0, 0, 0, 0, 1.9, 0, 0, 0.1 * signOfZ, -0.05 * signOfZ, signOfZ, signOfZ, 0, 0, -0.01, 0};
@@ -139,7 +140,11 @@ public:
         const VkDescriptorSet set = m_packing.createSet(
             ReplayPacking::PackImages{source, direction, layer(Layer::Guides), layer(Layer::Depth), slot});
         const nrd::HitDistanceParameters p = hitDistanceParametersOf(info);
-        const PackConstants constants{{p.A, p.B, p.C, 0}, row.mode, row.isDiffuse, {kWidth, kHeight}, 0.75f};
+        const PackConstants constants{{p.A / static_cast<float>(info.metersPerUnit), p.B, p.C, 0},
+                                      row.mode,
+                                      row.isDiffuse,
+                                      {kWidth, kHeight},
+                                      0.75f};
         engine::submitAndWait(m_device,
                               [&](VkCommandBuffer cmd)
                               {

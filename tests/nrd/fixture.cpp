@@ -142,4 +142,11 @@ uint32_t texelByteSize(Format format)
     }
     return 0;
 }
+
+shared::ReblurConstants reblurConstants(const std::vector<DispatchDesc>& dispatches)
+{
+    const DispatchDesc* pass = findPass(dispatches, "Blur");
+    REQUIRE(pass);
+    return constantsOf<shared::ReblurConstants>(*pass);
+}
 } // namespace test

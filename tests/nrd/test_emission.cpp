@@ -7,8 +7,8 @@ using namespace test;
 
 namespace
 {
-const std::vector<std::string> kSteadyPasses = {"Classify tiles", "Pre-pass",  "Temporal accumulation", "History fix",
-                                                "Blur",           "Post-blur", "Temporal stabilization"};
+const std::vector<std::string> kSteadyPasses = {"Classify tiles", "Detect cut", "Pre-pass",  "Temporal accumulation",
+                                                "History fix",    "Blur",       "Post-blur", "Temporal stabilization"};
 
 // An instance whose first frame, the one with the clears, is over.
 struct Steady
@@ -47,7 +47,7 @@ TEST_CASE("REBLUR emits its passes in the order of the table", "[unit]")
     Steady steady({kReblurBoth});
     const std::vector<DispatchDesc> dispatches = requestFrame(*steady.instance, steady.common);
     CHECK(passNames(dispatches) == kSteadyPasses);
-    CHECK(std::string(dispatches[4].name) == "REBLUR_DIFFUSE_SPECULAR - Blur");
+    CHECK(std::string(dispatches[5].name) == "REBLUR_DIFFUSE_SPECULAR - Blur");
     for (const DispatchDesc& dispatch : dispatches)
     {
         CHECK(dispatch.identifier == 0);
@@ -235,7 +235,7 @@ TEST_CASE("ping-pong textures change places with every request of their denoiser
         const DispatchDesc* pass = findPass(dispatches, "Temporal accumulation");
         const uint32_t readNum = desc.pipelines[pass->pipelineIndex].texturesNum;
         return std::make_pair(pass->resources[readNum - 1].indexInPool,
-                              pass->resources[pass->resourcesNum - 1].indexInPool);
+                              pass->resources[pass->resourcesNum - 2].indexInPool); // the last is the overlay's
     };
     const auto first = track(0), second = track(0);
     CHECK(first.first != first.second);

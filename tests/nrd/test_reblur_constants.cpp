@@ -1,4 +1,5 @@
 #include "denoisers/reblur.h"
+#include "expand.h"
 #include "fixture.h"
 #include "frame_state.h"
 #include <cmath>
@@ -25,7 +26,8 @@ struct Inputs
     {
         const FamilySettings family = settings;
         const FrameState frame = makeFrameState(common, frameRateScale(common.timeDeltaBetweenFrames));
-        return makeReblurConstants({common, family, frame, history, kBoth, isReset});
+        const Program program = expand(findVariant(Denoiser::REBLUR_DIFFUSE_SPECULAR), NormalEncoding::RGBA16_SNORM);
+        return makeReblurConstants({common, family, frame, history, *program.variant, isReset});
     }
 };
 

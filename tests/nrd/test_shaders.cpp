@@ -101,8 +101,9 @@ void checkLayout(const Pass& pass, const ShaderModule& module)
         const bool isConstants = b.binding == BINDING_CONSTANTS;
         CHECK(b.kind == (isConstants ? BindingKind::UniformBuffer : BindingKind::Sampler));
     }
-    // A tile is one group, whatever its number of invocations.
-    const bool isTileGroup = pass.row->group.x == TILE_SIZE && module.localSize[0] < TILE_SIZE;
+    // A tile, and a whole grid of one, is one group, whatever its number of invocations.
+    const bool isTileGroup = (pass.row->group.x == TILE_SIZE && module.localSize[0] < TILE_SIZE) ||
+                             (pass.row->group.x == 1 && pass.row->gridFactor == kOneTexel);
     CHECK((isTileGroup || module.localSize[0] == pass.row->group.x));
     CHECK((isTileGroup || module.localSize[1] == pass.row->group.y));
 }
@@ -191,6 +192,8 @@ TEST_CASE("constants lie at the same offsets in C++ and in SPIR-V", "[unit]")
         {"frustumPrev", offsetof(ReblurConstants, frustumPrev)},
         {"cameraDelta", offsetof(ReblurConstants, cameraDelta)},
         {"viewDirection", offsetof(ReblurConstants, viewDirection)},
+        {"cameraPosition", offsetof(ReblurConstants, cameraPosition)},
+        {"cameraJitter", offsetof(ReblurConstants, cameraJitter)},
         {"rotatorPrePass", offsetof(ReblurConstants, rotatorPrePass)},
         {"rotatorBlur", offsetof(ReblurConstants, rotatorBlur)},
         {"rotatorPostBlur", offsetof(ReblurConstants, rotatorPostBlur)},
@@ -244,6 +247,7 @@ TEST_CASE("constants lie at the same offsets in C++ and in SPIR-V", "[unit]")
         {"isHistoryReset", offsetof(ReblurConstants, isHistoryReset)},
         {"isPrepassTrackingOnly", offsetof(ReblurConstants, isPrepassTrackingOnly)},
         {"returnHistoryLength", offsetof(ReblurConstants, returnHistoryLength)},
+        {"hasValidation", offsetof(ReblurConstants, hasValidation)},
         {"isCutDetected", offsetof(ReblurConstants, isCutDetected)},
         {"checkerboard", offsetof(ReblurConstants, checkerboard)},
         {"checkerboardResolve", offsetof(ReblurConstants, checkerboardResolve)},

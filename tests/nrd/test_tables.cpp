@@ -16,10 +16,7 @@ struct Case
     FamilySettings settings;
     std::string text;
 
-    Conditions conditions() const
-    {
-        return {common, settings, NormalEncoding::R10_G10_B10_A2_UNORM, *program.variant};
-    }
+    Conditions conditions() const { return {common, settings, NormalEncoding::R10_G10_B10_A2_UNORM, *program.variant}; }
 };
 
 // Bits of the combinations of settings on which the tables depend.
@@ -28,11 +25,14 @@ void applyBits(Case& c, uint32_t bits)
     c.common.isHistoryConfidenceAvailable = bits & 1;
     c.common.isDisocclusionThresholdMixAvailable = bits & 2;
     c.common.splitScreen = (bits & 4) ? 0.5f : 0.0f;
+    c.common.enableCutDetection = (bits & 128) == 0;
+    c.common.enableValidation = bits & 256;
     if (ReblurSettings* reblur = std::get_if<ReblurSettings>(&c.settings))
     {
         if (bits & 8) reblur->diffusePrepassBlurRadius = reblur->specularPrepassBlurRadius = 0.0f;
         if (bits & 16) reblur->maxStabilizedFrameNum = 0;
         if (bits & 32) reblur->enableAntiFirefly = false;
+        if (bits & 64) reblur->hitDistanceReconstructionMode = HitDistanceReconstructionMode::AREA_3X3;
     }
     c.text = std::string(toString(c.program.variant->key)) + " with settings " + std::to_string(bits);
 }
@@ -44,7 +44,7 @@ std::vector<Case> allCases()
     {
         for (size_t variant = 0; variant < family->variants.size(); variant++)
         {
-            for (uint32_t bits = 0; bits < 64; bits++)
+            for (uint32_t bits = 0; bits < 512; bits++)
             {
                 Case c = {expand({family, variant}, NormalEncoding::R10_G10_B10_A2_UNORM), makeCommon(),
                           family->defaults, ""};

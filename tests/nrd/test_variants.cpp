@@ -1,38 +1,16 @@
-// Variants are rows: lobes and signals that no shader exists for yet expand from the same tables.
+// Variants are rows: all of them expand from the same tables.
 #include "denoisers/families.h"
 #include "expand.h"
 #include "fixture.h"
+#include "nrd_shaders.h"
 #include <algorithm>
+#include <cctype>
 
 using namespace test;
 
 namespace
 {
-constexpr SignalRow kDiffuseSignal = {ResourceType::IN_DIFF_RADIANCE_HITDIST, ResourceType::OUT_DIFF_RADIANCE_HITDIST,
-                                      Format::RGBA16_SFLOAT, kDiffuse};
-constexpr SignalRow kDiffuseSh0 = {ResourceType::IN_DIFF_SH0, ResourceType::OUT_DIFF_SH0, Format::RGBA16_SFLOAT,
-                                   kDiffuse};
-constexpr SignalRow kDiffuseSh1 = {ResourceType::IN_DIFF_SH1, ResourceType::OUT_DIFF_SH1, Format::RGBA16_SFLOAT,
-                                   kDiffuse};
-constexpr SignalRow kSpecularOcclusion = {ResourceType::IN_SPEC_HITDIST, ResourceType::OUT_SPEC_HITDIST,
-                                          Format::R16_SFLOAT, kSpecular};
-
-constexpr Variant kRows[] = {
-    {Denoiser::REBLUR_DIFFUSE, kDiffuse, {kDiffuseSignal}},
-    {Denoiser::REBLUR_DIFFUSE_SH, kDiffuse, {kDiffuseSh0, kDiffuseSh1}},
-    {Denoiser::REBLUR_SPECULAR_OCCLUSION, kSpecular, {kSpecularOcclusion}},
-};
-
-Program expandRow(size_t row)
-{
-    static const Family family = []
-    {
-        Family copy = kReblur;
-        copy.variants = kRows;
-        return copy;
-    }();
-    return expand({&family, row}, NormalEncoding::R10_G10_B10_A2_UNORM);
-}
+Program expandOf(Denoiser denoiser) { return expand(findVariant(denoiser), NormalEncoding::R10_G10_B10_A2_UNORM); }
 
 std::vector<Format> formatsOf(const Program& program, const std::string& name)
 {
@@ -59,11 +37,17 @@ const Pass& passOf(const Program& program, const std::string& name)
 }
 
 using Formats = std::vector<Format>;
+
+std::string lower(std::string text)
+{
+    for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return text;
+}
 } // namespace
 
 TEST_CASE("a variant without a lobe has none of that lobe's textures and inputs", "[unit]")
 {
-    const Program diffuse = expandRow(0);
+    const Program diffuse = expandOf(Denoiser::REBLUR_DIFFUSE);
     CHECK(formatsOf(diffuse, "Track").empty());
     CHECK(formatsOf(diffuse, "TrackNew").empty());
     CHECK(formatsOf(diffuse, "FastTemp") == Formats{Format::R16_SFLOAT});
@@ -72,18 +56,26 @@ TEST_CASE("a variant without a lobe has none of that lobe's textures and inputs"
     const Pass& accumulation = passOf(diffuse, "Temporal accumulation");
     CHECK(count(accumulation.reads, ResourceType::IN_DIFF_CONFIDENCE) == 1);
     CHECK(count(accumulation.reads, ResourceType::IN_SPEC_CONFIDENCE) == 0);
+}
 
-    const Program specular = expandRow(2);
-    CHECK(formatsOf(specular, "Track") == Formats{Format::R16_SFLOAT});
-    CHECK(formatsOf(specular, "History") == Formats{Format::R16_SFLOAT}); // its signal is a scalar
+TEST_CASE("occlusion is a scalar per lobe, with nothing of what only radiance needs", "[unit]")
+{
+    const Program specular = expandOf(Denoiser::REBLUR_SPECULAR_OCCLUSION);
+    CHECK(formatsOf(specular, "Track").size() == 1);
+    CHECK(formatsOf(specular, "TrackNew").empty());
+    CHECK(formatsOf(specular, "Stab").empty());
+    CHECK(formatsOf(specular, "History") == Formats{Format::R16_UNORM});
+    CHECK(formatsOf(specular, "Fast") == Formats{Format::R8_UNORM});
     CHECK(count(passOf(specular, "Temporal accumulation").reads, ResourceType::IN_DIFF_CONFIDENCE) == 0);
     CHECK(count(passOf(specular, "Split screen").writes, ResourceType::OUT_SPEC_HITDIST) == 1);
+    for (const Pass& pass : specular.passes) CHECK(std::string(pass.row->name) != "Temporal stabilization");
+    CHECK(formatsOf(expandOf(Denoiser::REBLUR_DIFFUSE_SPECULAR_OCCLUSION), "Fast") == Formats{Format::RG8_UNORM});
 }
 
 TEST_CASE("a lobe with two signals has two of everything that exists per signal", "[unit]")
 {
-    const Program sh = expandRow(1);
-    CHECK(formatsOf(sh, "History").size() == 2);
+    const Program sh = expandOf(Denoiser::REBLUR_DIFFUSE_SH);
+    CHECK(formatsOf(sh, "History") == Formats{Format::RGBA16_SFLOAT, Format::A2B10G10R10_UNORM_PACK32});
     CHECK(formatsOf(sh, "Scratch").size() == 2);
     CHECK(formatsOf(sh, "FastTemp") == Formats{Format::R16_SFLOAT}); // still one lobe
     const Pass& prePass = passOf(sh, "Pre-pass");
@@ -91,4 +83,22 @@ TEST_CASE("a lobe with two signals has two of everything that exists per signal"
     CHECK(count(prePass.reads, ResourceType::IN_DIFF_SH1) == 1);
     CHECK(prePass.writes.size() == 2);
     CHECK(prePass.writes[0].binding.texture != prePass.writes[1].binding.texture);
+}
+
+// The shader list and the variant table have to be in the same order: the names tell.
+TEST_CASE("every variant runs the permutations made for it", "[unit]")
+{
+    for (const Variant& variant : kReblur.variants)
+    {
+        const std::string name = std::string(toString(variant.key)).substr(std::string("REBLUR_").size());
+        for (const Pass& pass : expandOf(variant.key).passes)
+        {
+            if (pass.row->shaders.size() == 1) continue;
+            const std::string shader = shaderBlob(pass.shader).name;
+            INFO(shader << " for " << toString(variant.key));
+            std::string words = std::string("Reblur") + pass.row->name + name; // "Reblur" "Pre-pass" "DIFFUSE_SH"
+            std::erase_if(words, [](char c) { return c == ' ' || c == '-' || c == '_'; });
+            CHECK(lower(shader) == lower(words));
+        }
+    }
 }

@@ -1,7 +1,8 @@
 // Every REBLUR denoiser on the recorded sequences against the peer's recorded figures.
 //
-// A replay of 64 frames of 320x180 takes 5 to 15 seconds of one core on lavapipe, so two run at a time. Without
-// arguments the program replays what isEveryCommit() picks; `nrd-test-sequences "[golden],[all]"` replays everything.
+// A replay of 64 frames of 320x180 takes 5 to 14 seconds of one core on lavapipe, so two run at a time. Without
+// arguments the program replays the 25 rows that isEveryCommit() picks, under two minutes of two idle cores;
+// "[golden],[all]", or `ctest -C full -R sequences`, replays all 37, under three.
 #include "catch.h"
 
 #include <nrd/nrd.h>
@@ -23,18 +24,23 @@ namespace
 {
 constexpr size_t kConcurrentReplays = 2;
 
-// What is held against the peer. The slack of a measure is a factor.
+// What must be better than in the noisy input, not behind the peer, or both. The slack of a measure is a factor.
 struct Limit
 {
     const char* signal;
     const char* measure;
     bool isHigherBetter;
+    bool isHeldAgainstNoisy;
+    bool isHeldAgainstPeer;
     double slack;
 };
 constexpr Limit kLimits[] = {
-    {"composed", "psnr", true, 1.0},     {"composed", "flip", false, 1.0},
-    {"composed", "relMSE", false, 1.0},  {"composed", "flicker", false, 1.01}, // recorded to three digits
-    {"normHitDist", "rmse", false, 1.0},
+    {"composed", "psnr", true, true, true, 1.0},
+    {"composed", "flip", false, false, true, 1.0}, // charges blur too: where there is little noise it may rise
+    {"composed", "relMSE", false, true, true, 1.0},
+    {"composed", "flicker", false, true, true, 1.01}, // recorded to three digits
+    {"normHitDist", "rmse", false, true, true, 1.0},
+    {"normHitDist", "flicker", false, true, false, 1.0},
 };
 
 struct Row
@@ -45,11 +51,10 @@ struct Row
     int exitCode = -1;
 
     fs::path report() const { return fs::path(NRD_OUTPUT) / (denoiser + "-" + capture + ".json"); }
-    bool isOcclusion() const { return denoiser.find("OCCLUSION") != std::string::npos; }
 };
 
 // A denoiser of both lobes runs the code of its one-lobe variants, so those are left to the full run on the sequences
-// that are easy on them.
+// that show the least of them.
 bool isEveryCommit(const Row& row)
 {
     const bool hasBothLobes = row.denoiser.find("DIFFUSE_SPECULAR") != std::string::npos;
@@ -110,23 +115,21 @@ void replayAll(std::vector<Row>& rows)
     for (std::future<void>& worker : workers) worker.get();
 }
 
-// Better than the noisy input, and not behind the peer.
+double figureOf(const json& means, const Limit& limit) { return means[limit.signal][limit.measure].get<double>(); }
+
 void checkLimit(const Row& row, const json& mean, const Limit& limit)
 {
     if (!row.peer.contains(limit.signal) || !row.peer[limit.signal].contains(limit.measure)) return;
-    const double noisy = mean["noisy"][limit.signal][limit.measure].get<double>();
-    const double denoised = mean["denoised"][limit.signal][limit.measure].get<double>();
-    const double peer = row.peer[limit.signal][limit.measure].get<double>();
-    std::printf("FIGURE %s %s %s %s: %.4f noisy, %.4f denoised, %.4f peer\n", row.denoiser.c_str(), row.capture.c_str(),
-                limit.signal, limit.measure, noisy, denoised, peer);
+    const double noisy = figureOf(mean["noisy"], limit), denoised = figureOf(mean["denoised"], limit);
+    const double peer = figureOf(row.peer, limit);
+    std::printf("FIGURE %s %s %s %s: %.4f noisy, %.4f denoised, ", row.denoiser.c_str(), row.capture.c_str(),
+                limit.signal, limit.measure, noisy, denoised);
+    if (mean.contains("extracted")) std::printf("%.4f extracted, ", figureOf(mean["extracted"], limit));
+    std::printf("%.4f peer\n", peer);
     INFO(row.denoiser << " on " << row.capture << ": " << limit.signal << " " << limit.measure);
-    if (limit.isHigherBetter)
-        CHECK(denoised >= peer / limit.slack);
-    else
-        CHECK(denoised <= peer * limit.slack);
-    // FLIP charges a picture without noise for its blur; where little noise was to begin with it may rise.
-    const bool isFlip = std::string(limit.measure) == "flip";
-    if (!isFlip) CHECK((limit.isHigherBetter ? denoised > noisy : denoised < noisy));
+    const double sign = limit.isHigherBetter ? -1.0 : 1.0;
+    if (limit.isHeldAgainstNoisy) CHECK(sign * denoised < sign * noisy);
+    if (limit.isHeldAgainstPeer) CHECK(sign * denoised <= sign * peer * limit.slack);
 }
 
 void checkRow(const Row& row)
@@ -135,9 +138,6 @@ void checkRow(const Row& row)
     REQUIRE(row.exitCode == 0);
     const json mean = readJson(row.report())["mean"];
     for (const Limit& limit : kLimits) checkLimit(row, mean, limit);
-    if (!row.isOcclusion()) return;
-    const json &noisy = mean["noisy"]["normHitDist"], &denoised = mean["denoised"]["normHitDist"];
-    CHECK(denoised["flicker"].get<double>() < noisy["flicker"].get<double>());
 }
 
 void checkRows(bool (*isWanted)(const Row& row))

@@ -31,6 +31,9 @@ struct DenoiserDesc
 {
     Identifier identifier = 0;
     Denoiser denoiser = Denoiser::MAX_NUM;
+    // [1; 8]. Inputs, outputs and history of this denoiser have ceil(size / resolutionDivisor) pixels a side; the
+    // common settings stay those of the full resolution.
+    uint32_t resolutionDivisor = 1;
 };
 
 struct InstanceCreationDesc

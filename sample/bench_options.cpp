@@ -1,0 +1,129 @@
+#include "bench_options.h"
+
+#include <nrd/nrd.h>
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <charconv>
+#include <optional>
+#include <regex>
+
+namespace sample::bench
+{
+namespace
+{
+struct Texts
+{
+    std::string denoisers = ".*";
+    std::string sizes = "1920x1080,2560x1440,3840x2160";
+    std::vector<std::string> settings;
+    float skyPercent = 2.0f;
+};
+
+std::string versionText()
+{
+    const nrd::LibraryDesc& library = nrd::GetLibraryDesc();
+    return "nrd-bench " + std::to_string(library.versionMajor) + "." + std::to_string(library.versionMinor) + "." +
+           std::to_string(library.versionBuild);
+}
+
+void declareOptions(CLI::App& app, Options& options, Texts& texts)
+{
+    app.add_option("--denoisers", texts.denoisers, "Regular expression for the whole names of the denoisers; all");
+    app.add_option("--sizes", texts.sizes, "WxH,...; " + texts.sizes);
+    app.add_option("--json", options.json, "File for the JSON report");
+    app.add_option("--peer", options.peer, "File with recorded figures, printed beside ours");
+    app.add_option("--set", texts.settings, "key=value: any field of the common or the denoiser's settings")
+        ->take_all();
+    app.add_option("--frames", options.workload.frameCount, "Measured frames, after warm-up; 96")
+        ->check(CLI::Range(1u, 1000000u));
+    app.add_option("--sky", texts.skyPercent, "Share of the sky in the picture, percent; 2")
+        ->check(CLI::Range(0.0f, 25.0f));
+    app.add_flag("--static", options.workload.isStatic, "The camera stands still");
+    app.add_flag("--memory", options.isMemoryOnly, "Allocate, print the memory, and render nothing");
+    app.add_option("--device", options.device, "Number or part of the name of the device");
+    app.add_flag("--list-devices", options.isDeviceListWanted, "List the Vulkan devices");
+    app.add_flag("--validation", options.validation, "Turn the validation layers on; a message makes the run fail");
+    app.set_version_flag("--version", versionText(), "Print the version");
+}
+
+// The number that fills `text`, or 0.
+uint32_t parseSide(std::string_view text)
+{
+    uint32_t value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    return error == std::errc() && end == text.data() + text.size() && value <= 65535 ? value : 0;
+}
+
+Extent parseSize(std::string_view text)
+{
+    const size_t cross = text.find('x');
+    if (cross == std::string_view::npos) return {};
+    return {parseSide(text.substr(0, cross)), parseSide(text.substr(cross + 1))};
+}
+} // namespace
+
+std::vector<Extent> parseSizes(const std::string& text)
+{
+    std::vector<Extent> sizes;
+    std::string_view rest = text;
+    while (true)
+    {
+        const size_t comma = rest.find(',');
+        const Extent size = parseSize(rest.substr(0, comma));
+        if (size.width == 0 || size.height == 0)
+            throw SettingError("--sizes " + text + ": expected WxH,... with sides from 1 to 65535");
+        sizes.push_back(size);
+        if (comma == std::string_view::npos) return sizes;
+        rest.remove_prefix(comma + 1);
+    }
+}
+
+std::vector<const ReplayDenoiser*> selectDenoisers(const std::string& expression)
+{
+    std::regex regex;
+    try
+    {
+        regex.assign(expression);
+    }
+    catch (const std::regex_error&)
+    {
+        throw SettingError("--denoisers " + expression + ": expected a regular expression");
+    }
+    const nrd::LibraryDesc& library = nrd::GetLibraryDesc();
+    const nrd::Denoiser* last = library.supportedDenoisers + library.supportedDenoisersNum;
+    std::vector<const ReplayDenoiser*> selected;
+    for (const ReplayDenoiser& denoiser : replayDenoisers())
+    {
+        const bool isSupported = std::find(library.supportedDenoisers, last, denoiser.denoiser) != last;
+        if (isSupported && std::regex_match(denoiser.name, regex)) selected.push_back(&denoiser);
+    }
+    if (selected.empty())
+        throw SettingError("--denoisers " + expression + ": no denoiser of this build has such a name");
+    return selected;
+}
+
+std::optional<Options> parseOptions(int argumentCount, const char* const* arguments)
+{
+    CLI::App app("Measures GPU time by pass against the bandwidth floor, CPU time and memory on generated input.");
+    Options options;
+    Texts texts;
+    declareOptions(app, options, texts);
+    try
+    {
+        app.parse(argumentCount, arguments);
+    }
+    catch (const CLI::ParseError& e)
+    {
+        if (e.get_exit_code() != 0) throw SettingError(e.what());
+        app.exit(e); // --help, --version
+        return std::nullopt;
+    }
+    options.denoisers = selectDenoisers(texts.denoisers);
+    options.sizes = parseSizes(texts.sizes);
+    options.workload.skyShare = texts.skyPercent * 0.01f;
+    for (const std::string& text : texts.settings) options.workload.settings.push_back(parseAssignment(text));
+    return options;
+}
+} // namespace sample::bench

@@ -1,0 +1,97 @@
+#include "bench_traffic.h"
+
+#include <algorithm>
+#include <set>
+#include <tuple>
+
+namespace sample::bench
+{
+namespace
+{
+constexpr uint32_t kTileSize = 16; // pixels, of the tiles that BufferDesc counts
+
+uint64_t divideUp(uint32_t a, uint32_t b) { return (a + b - 1) / b; }
+
+uint64_t byteSize(const nrd::InstanceDesc& instance, const nrd::ResourceDesc& resource, const SlotTexels& slots,
+                  Extent size)
+{
+    if (resource.descriptorType == nrd::DescriptorType::STORAGE_BUFFER)
+    {
+        const nrd::BufferDesc& buffer = instance.buffers[resource.indexInPool];
+        return buffer.byteSize +
+               buffer.byteSizePerTile * divideUp(size.width, kTileSize) * divideUp(size.height, kTileSize);
+    }
+    const bool isPermanent = resource.type == nrd::ResourceType::PERMANENT_POOL;
+    if (!isPermanent && resource.type != nrd::ResourceType::TRANSIENT_POOL)
+        return uint64_t(slots[static_cast<size_t>(resource.type)]) * size.width * size.height;
+    const nrd::TextureDesc& texture =
+        (isPermanent ? instance.permanentPool : instance.transientPool)[resource.indexInPool];
+    const uint32_t factor = std::max<uint32_t>(texture.downsampleFactor, 1);
+    return texelByteSize(texture.format) * divideUp(size.width, factor) * divideUp(size.height, factor);
+}
+} // namespace
+
+std::vector<PassTraffic> findTraffic(const nrd::InstanceDesc& instance, std::span<const nrd::DispatchDesc> dispatches,
+                                     const SlotTexels& slots, Extent size)
+{
+    std::vector<PassTraffic> passes;
+    for (const nrd::DispatchDesc& dispatch : dispatches)
+    {
+        const std::string name = passName(dispatch.name);
+        auto pass = std::find_if(passes.begin(), passes.end(), [&](const PassTraffic& p) { return p.name == name; });
+        if (pass == passes.end()) pass = passes.insert(pass, {name, 0});
+        // An input that is not there is replaced by one that is bound anyhow.
+        std::set<std::tuple<nrd::DescriptorType, nrd::ResourceType, uint16_t>> counted;
+        for (const nrd::ResourceDesc& resource : std::span(dispatch.resources, dispatch.resourcesNum))
+            if (counted.insert({resource.descriptorType, resource.type, resource.indexInPool}).second)
+                pass->byteCount += byteSize(instance, resource, slots, size);
+    }
+    return passes;
+}
+
+std::string passName(const char* dispatchName)
+{
+    const std::string name = dispatchName;
+    const size_t dash = name.find(" - ");
+    return dash == std::string::npos ? name : name.substr(dash + 3);
+}
+
+uint32_t texelByteSize(nrd::Format format)
+{
+    using nrd::Format;
+    switch (format)
+    {
+    case Format::R8_UNORM:
+    case Format::R8_SNORM:
+    case Format::R8_UINT:
+        return 1;
+    case Format::RG8_UNORM:
+    case Format::RG8_UINT:
+    case Format::R16_UNORM:
+    case Format::R16_UINT:
+    case Format::R16_SFLOAT:
+        return 2;
+    case Format::RGBA8_UNORM:
+    case Format::RGBA8_SNORM:
+    case Format::RG16_UNORM:
+    case Format::RG16_SFLOAT:
+    case Format::R32_UINT:
+    case Format::R32_SFLOAT:
+    case Format::A2B10G10R10_UNORM_PACK32:
+    case Format::B10G11R11_UFLOAT_PACK32:
+    case Format::E5B9G9R9_UFLOAT_PACK32:
+        return 4;
+    case Format::RGBA16_UNORM:
+    case Format::RGBA16_SNORM:
+    case Format::RGBA16_SFLOAT:
+    case Format::RG32_UINT:
+    case Format::RG32_SFLOAT:
+        return 8;
+    case Format::RGBA32_SFLOAT:
+        return 16;
+    case Format::MAX_NUM:
+        break;
+    }
+    return 0;
+}
+} // namespace sample::bench

@@ -1,0 +1,36 @@
+// What the shaders of nrd-bench are told; read by C++ and GLSL. Only 16-byte types, so both lay it out alike.
+#ifndef BENCH_CONSTANTS_H
+#define BENCH_CONSTANTS_H
+#ifdef __cplusplus
+#include <array>
+#include <cstdint>
+namespace sample::bench
+{
+using vec4 = std::array<float, 4>;
+using uvec4 = std::array<uint32_t, 4>;
+#endif
+
+// What one dispatch writes into its image; the last four are of one lobe.
+#define BENCH_MOTION 0
+#define BENCH_NORMAL_ROUGHNESS 1
+#define BENCH_VIEWZ 2
+#define BENCH_SIGNAL 3    // radiance as it is
+#define BENCH_RADIANCE 4  // radiance and normalised hit distance; also the first of an SH pair
+#define BENCH_HITDIST 5   // normalised hit distance
+#define BENCH_DIRECTION 6 // direction of the ray times normalised hit distance, and that
+#define BENCH_SH1 7       // direction of the ray times luma
+
+struct BenchConstants
+{
+    vec4 camera;                // .xyz world position, .w yaw in radians, 0 looks along +Z
+    vec4 view;                  // .xy tangents of the half angles, .zw jitter in pixels
+    vec4 sky;                   // .x share of the picture [0; 0.25], .y its view depth
+    vec4 hitDistanceParameters; // .xyz A, B, C
+    uvec4 frame;                // .xy pixels, .z seed
+    uvec4 target;               // .x BENCH_..., .y 1: the specular lobe
+};
+
+#ifdef __cplusplus
+} // namespace sample::bench
+#endif
+#endif
