@@ -56,6 +56,12 @@ glm::vec2 occlusionWeights(const SampleDenoiser& denoiser)
 template <class T> std::span<const std::byte> bytesOf(const T& value) { return std::as_bytes(std::span(&value, 1)); }
 } // namespace
 
+glm::vec3 hitDistanceParametersOf(const ReplaySettings& settings)
+{
+    const nrd::HitDistanceParameters& h = settings.reblur.hitDistanceParameters;
+    return {h.A * settings.common.metersToUnits, h.B, h.C};
+}
+
 engine::DeviceDesc denoiserDeviceDesc()
 {
     const nrd::RequiredDeviceFeatures required = nrd::GetRequiredDeviceFeatures();
@@ -91,11 +97,9 @@ void DenoiseStage::createImages()
     {
         const LobeFormat format = m_desc.denoiser.format(lobe);
         if (format == LobeFormat::None) continue;
-        const nrd::ReblurSettings& reblur = m_desc.settings.reblur;
-        const nrd::HitDistanceParameters& h = reblur.hitDistanceParameters;
-        m_lobes[static_cast<size_t>(lobe)].emplace(m_device,
-                                                   LobeSignalDesc{lobe, format, m_desc.width, m_desc.height,
-                                                                  glm::vec3(h.A, h.B, h.C), reblur.checkerboardMode});
+        m_lobes[static_cast<size_t>(lobe)].emplace(m_device, LobeSignalDesc{lobe, format, m_desc.width, m_desc.height,
+                                                                            hitDistanceParametersOf(m_desc.settings),
+                                                                            m_desc.settings.reblur.checkerboardMode});
     }
 }
 

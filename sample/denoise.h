@@ -65,6 +65,9 @@ private:
     std::optional<View> m_previous;
 };
 
+/// A in world units, B, C: what tracing and packing divide hit distances by.
+glm::vec3 hitDistanceParametersOf(const ReplaySettings& settings);
+
 /// Core features the denoiser library needs of the device; an engine asks before it creates its device.
 engine::DeviceDesc denoiserDeviceDesc();
 } // namespace sample

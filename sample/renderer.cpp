@@ -23,8 +23,7 @@ TracerDesc tracerDesc(const Options& options)
     desc.roughening = options.roughening;
     desc.lobes = options.lobes;
     desc.checkerboard = options.checkerboard;
-    const nrd::HitDistanceParameters h = denoiserSettings(options).reblur.hitDistanceParameters;
-    desc.hitDistanceParameters = glm::vec3(h.A, h.B, h.C);
+    desc.hitDistanceParameters = hitDistanceParametersOf(denoiserSettings(options));
     return desc;
 }
 

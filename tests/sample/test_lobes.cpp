@@ -35,9 +35,8 @@ public:
         ++m_view.frameIndex;
         const auto read = [](engine::Image& image) { return engine::readBackAs<glm::vec4>(test::device(), image); };
         FrameImages& i = m_tracer.images();
-        return {{read(i.diffuse), read(i.specular)},
-                {read(i.diffuseDirection), read(i.specularDirection)},
-                read(i.motion)};
+        return {
+            {read(i.diffuse), read(i.specular)}, {read(i.diffuseDirection), read(i.specularDirection)}, read(i.motion)};
     }
 
 private:
@@ -104,8 +103,7 @@ size_t countWindowsWithout(const LobeFrame& frame, size_t lobe)
 {
     size_t count = 0;
     for (int y = 1; y < kHeight - 1; ++y)
-        for (int x = 1; x < kWidth - 1; ++x)
-            count += isDielectricWindow(frame, x, y) && !hasSample(frame, lobe, x, y);
+        for (int x = 1; x < kWidth - 1; ++x) count += isDielectricWindow(frame, x, y) && !hasSample(frame, lobe, x, y);
     return count;
 }
 

@@ -2,6 +2,7 @@
 #include "capture.h"
 #include "catch.h"
 #include "gltf_builder.h"
+#include "sample_denoisers.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -81,8 +82,9 @@ TEST_CASE("the default scene renders, denoises, compares and records", "[program
 
 TEST_CASE("every denoiser choice runs", "[program]")
 {
-    for (const char* name : {"NONE", "REFERENCE", "REBLUR_DIFFUSE_SPECULAR"})
+    for (const sample::SampleDenoiser& row : sample::sampleDenoisers())
     {
+        const char* name = row.name;
         const test::TemporaryFolder folder;
         const Outcome outcome = run("--headless --validation --size 33x17 --frames 4 --jitter --denoiser " +
                                     std::string(name) + " --screenshot " + (folder / "a.png").string());
@@ -90,6 +92,59 @@ TEST_CASE("every denoiser choice runs", "[program]")
         CHECK(outcome.exitCode == 0);
         CHECK(std::filesystem::exists(folder / "a.png"));
     }
+}
+
+TEST_CASE("one lobe per pixel is denoised", "[program]")
+{
+    for (const char* option : {"--lobes probabilistic", "--checkerboard black", "--checkerboard white"})
+        for (const char* denoiser : {"REBLUR_DIFFUSE_SPECULAR", "REBLUR_DIFFUSE_SPECULAR_SH"})
+        {
+            const std::string arguments = std::string(option) + " --denoiser " + denoiser;
+            const Outcome outcome = run("--headless --validation --size 33x17 --frames 4 " + arguments);
+            INFO(arguments << ": " << outcome.errors);
+            CHECK(outcome.exitCode == 0);
+        }
+}
+
+TEST_CASE("a capture of a checkerboard says so and has its holes", "[program]")
+{
+    const test::TemporaryFolder folder;
+    const std::string path = (folder / "capture").string();
+    REQUIRE(run("--headless --size 32x18 --frames 2 --denoiser NONE --checkerboard white --capture " + path).exitCode ==
+            0);
+    const sample::Capture capture = sample::Capture::open(path);
+    CHECK(capture.info().checkerboard == sample::CaptureCheckerboard::White);
+    for (uint32_t f = 0; f < 2; ++f)
+    {
+        const sample::Planes frame = capture.readFrame(f);
+        size_t wrongCount = 0, diffuseCount = 0;
+        for (uint32_t i = 0; i < frame.pixelCount(); ++i)
+        {
+            const bool isDiffuse = ((i % 32 + i / 32 + f) & 1u) == 1;
+            const bool hasDiffuse = frame[sample::Channel::DiffuseHitDist][i] > 0.0f;
+            const bool hasSpecular = frame[sample::Channel::SpecularHitDist][i] > 0.0f;
+            wrongCount += hasSpecular == isDiffuse || (hasDiffuse && !isDiffuse);
+            wrongCount += !hasDiffuse && frame[sample::Channel::DiffuseG][i] != 0.0f;
+            diffuseCount += hasDiffuse;
+        }
+        CHECK(wrongCount == 0);
+        CHECK(diffuseCount > 200);
+    }
+}
+
+TEST_CASE("--set changes the picture", "[program]")
+{
+    const test::TemporaryFolder folder;
+    const auto picture = [&](const std::string& name, const std::string& options)
+    {
+        const std::string file = (folder / (name + ".exr")).string();
+        CHECK(run("--headless --scene bumps --size 40x24 --frames 3 --screenshot " + file + options).exitCode == 0);
+        return readText(file);
+    };
+    const std::string plain = picture("plain", "");
+    CHECK(picture("same", " --set maxBlurRadius=30") == plain);
+    CHECK(picture("reblur", " --set maxBlurRadius=2") != plain);
+    CHECK(picture("common", " --set splitScreen=1") != plain);
 }
 
 TEST_CASE("a run can be repeated to the last bit", "[program]")
@@ -119,6 +174,19 @@ TEST_CASE("bad arguments and broken files end in one sentence and exit code 1", 
     checkRefused(run("--headless " + triangle + " --environment " + (folder / "broken.hdr").string()), "broken.hdr");
     checkRefused(run("--headless --size 12"), "--size");
     checkRefused(run("--headless --denoiser MAGIC"), "--denoiser");
+    checkRefused(run("--headless --denoiser RELAX_DIFFUSE"), "REBLUR_DIFFUSE_SH");
+    checkRefused(run("--headless --lobes one"), "probabilistic");
+    checkRefused(run("--headless --checkerboard red"), "white");
+    checkRefused(run("--headless --checkerboard black --lobes probabilistic"), "--checkerboard");
+    checkRefused(run("--headless --scene rome"), "bumps");
+    checkRefused(run("--headless --scene bumps " + triangle), "--scene");
+    checkRefused(run("--headless --set maxBlurRadius"), "key=value");
+    checkRefused(run("--headless --set maxBlurRadius=wide"), "maxBlurRadius");
+    checkRefused(run("--headless --set noSuchSetting=1"), "noSuchSetting");
+    checkRefused(run("--headless --set checkerboardMode=BLACK"), "--checkerboard");
+    checkRefused(run("--headless --set maxBlurRadius=1 --denoiser NONE"), "--set");
+    checkRefused(run("--headless --size 16x16 --frames 1 --set maxBlurRadius=-1"), "maxBlurRadius");
+    checkRefused(run("--demo out --denoiser REBLUR_DIFFUSE_OCCLUSION"), "--demo");
     checkRefused(run("--headless --frames 0"), "--frames");
     checkRefused(run("--headless --screenshot a.jpg"), "a.jpg");
     checkRefused(run("--headless --reference-frames every-1"), "every-K");
