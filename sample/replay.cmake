@@ -38,7 +38,7 @@ nrd_add_shader(ReplayUnpack shaders/replay_unpack.comp.glsl)
 nrd_end_shader_library()
 
 # And what needs Vulkan.
-add_library(nrd_replay_gpu STATIC replay_gpu.cpp replay_packing.cpp replay_slots.cpp)
+add_library(nrd_replay_gpu STATIC replay_doctor.cpp replay_gpu.cpp replay_packing.cpp replay_slots.cpp)
 target_link_libraries(nrd_replay_gpu PUBLIC nrd_replay nrd_engine nrd::integration PRIVATE replay_shaders nrd_warnings)
 
 add_executable(nrd-replay replay_main.cpp)

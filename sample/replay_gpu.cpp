@@ -14,10 +14,6 @@ namespace
 {
 constexpr nrd::Identifier kIdentifier = 0;
 
-nrd::NrdImageState toNrd(const engine::ImageState& state) { return {state.layout, state.access, state.stage}; }
-
-engine::ImageState fromNrd(const nrd::NrdImageState& state) { return {state.layout, state.access, state.stages}; }
-
 double median(std::vector<double> values)
 {
     if (values.empty()) return 0.0;
@@ -186,6 +182,19 @@ void ReplayGpu::createReading(Slot& slot, uint32_t mode, bool isExtracted)
     slot.readings.push_back(std::move(reading));
 }
 
+nrd::NrdUserImage ReplayGpu::userImage(const engine::Image& image)
+{
+    const engine::ImageDesc& desc = image.desc();
+    const engine::ImageState& state = image.state;
+    return {
+        image.handle(), desc.format, desc.width, desc.height, desc.usage, 0, {state.layout, state.access, state.stage}};
+}
+
+void ReplayGpu::setState(engine::Image& image, const nrd::NrdUserImage& user)
+{
+    image.state = {user.state.layout, user.state.access, user.state.stages};
+}
+
 ReplaySettings ReplayGpu::settingsOfFrame() const
 {
     ReplaySettings settings;
@@ -235,14 +244,9 @@ void ReplayGpu::recordUnpack(VkCommandBuffer cmd, Slot& slot)
 
 void ReplayGpu::recordDenoise(VkCommandBuffer cmd)
 {
-    for (Slot& slot : m_slots)
-    {
-        const engine::ImageDesc& desc = slot.image.desc();
-        m_pool[slot.row.type] = {slot.image.handle(),    desc.format, desc.width, desc.height, desc.usage, 0,
-                                 toNrd(slot.image.state)};
-    }
+    for (Slot& slot : m_slots) m_pool[slot.row.type] = userImage(slot.image);
     check(m_integration.Denoise(cmd, &kIdentifier, 1, m_pool), "denoise");
-    for (Slot& slot : m_slots) slot.image.state = fromNrd(m_pool[slot.row.type].state);
+    for (Slot& slot : m_slots) setState(slot.image, m_pool[slot.row.type]);
 }
 
 void ReplayGpu::record(VkCommandBuffer cmd, const ReplaySettings& settings, bool isWanted)

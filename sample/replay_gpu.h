@@ -57,6 +57,9 @@ public:
     // Sky pixels, which a denoiser does not write, are 0; their hit distance is that of a miss.
     ReplayedFrame denoise(const Planes& frame, bool isWanted);
 
+    // Shows the next frame to the doctor instead of denoising it; what it has found so far, valid until the next call.
+    std::vector<nrd::Finding> diagnose(const Planes& frame);
+
     // Medians over the frames from `firstFrame` on; call after the last frame.
     void reportTimes(ReplayReport& report, size_t firstFrame);
     ReplayReport::Memory memory() const;
@@ -94,6 +97,9 @@ private:
     void recordUnpack(VkCommandBuffer cmd, Slot& slot);
     void recordDenoise(VkCommandBuffer cmd);
     ReplayedFrame read(const Planes& frame, bool isHistoryLength);
+    void recordDiagnosis(VkCommandBuffer cmd, const ReplaySettings& settings, nrd::NrdDiagnosisImages& extra);
+    static nrd::NrdUserImage userImage(const engine::Image& image);
+    static void setState(engine::Image& image, const nrd::NrdUserImage& user);
     void collectTimes();
     void check(nrd::Result result, const char* action) const;
 
@@ -104,6 +110,7 @@ private:
     std::unique_ptr<engine::Device> m_device;
     ReplayPacking m_packing;
     std::map<Layer, engine::Image> m_layers;
+    std::map<std::string, engine::Image> m_extras; // that only the doctor looks at
     std::vector<Slot> m_slots;
     nrd::NrdUserPool m_pool;
     nrd::NrdIntegration m_integration; // after what it borrows, so that it goes first

@@ -1,4 +1,5 @@
 // nrd-replay: denoises a recorded capture and says how far the result is from its references.
+#include "replay_doctor.h"
 #include "replay_gpu.h"
 #include "replay_output.h"
 
@@ -32,6 +33,7 @@ struct Options
     bool isMarkdown = false;
     bool validation = false;
     bool isDeviceListWanted = false;
+    bool isDoctorWanted = false;
 };
 
 std::string versionText()
@@ -57,6 +59,9 @@ void declareOptions(CLI::App& app, Options& options)
     app.add_option("--disocclusion-mix", options.disocclusionMix,
                    "Of every pixel, with --set isDisocclusionThresholdMixAvailable=true")
         ->check(CLI::Range(0.0f, 1.0f));
+    app.add_flag(
+        "--doctor", options.isDoctorWanted,
+        "Check the inputs instead of denoising them; the exit code is 0 if all is well, 2 if it found something");
     app.add_option("--frames", options.frameCount, "Replay only so many frames")
         ->check(CLI::Range(size_t(1), size_t(1000000)));
     app.add_option("--summary", options.summary, "Print one table of these reports instead of replaying");
@@ -261,6 +266,10 @@ int run(const Options& options)
         for (const std::string& line : engine::listDevices()) std::cout << line << '\n';
         return 0;
     }
+    if (options.isDoctorWanted)
+        return runDoctor({options.capture, options.denoiser, options.settings, options.frameCount, options.device,
+                          options.validation},
+                         std::cout);
     return options.summary.empty() ? replay(options) : summarize(options);
 }
 } // namespace

@@ -7,7 +7,7 @@
 #include "replay_modes.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;
-layout(set = 0, binding = 0) uniform texture2D gIn_Layer;  // what is packed; for a lobe .xyz radiance, .w hit distance
+layout(set = 0, binding = 0) uniform texture2D gIn_Layer;     // what is packed; a lobe: .xyz radiance, .w hit distance
 layout(set = 0, binding = 1) uniform texture2D gIn_Direction; // .xyz the lobe's first bounce; any layer where unused
 layout(set = 0, binding = 2) uniform texture2D gIn_Guides;    // .xyz normal, .w roughness
 layout(set = 0, binding = 3) uniform texture2D gIn_Depth;     // .x viewZ, .y material ID

@@ -7,7 +7,7 @@
 
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(set = 0, binding = 0) uniform texture2D gIn_Slot;
-layout(set = 0, binding = 1) uniform texture2D gIn_Sh1;    // the other half of an SH signal; gIn_Slot where there is none
+layout(set = 0, binding = 1) uniform texture2D gIn_Sh1;    // the other half of an SH signal; else gIn_Slot
 layout(set = 0, binding = 2) uniform texture2D gIn_Guides; // .xyz normal, .w roughness
 layout(set = 0, binding = 3) uniform texture2D gIn_Depth;  // .x viewZ
 layout(set = 0, binding = 4) uniform writeonly image2D gOut_Values;
