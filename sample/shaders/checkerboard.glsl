@@ -2,7 +2,7 @@
 #ifndef CHECKERBOARD_GLSL
 #define CHECKERBOARD_GLSL
 
-// `mode` is nrd::CheckerboardMode: 0 off, 1 black, 2 white. It names the diffuse lobe's pixels; specular has the others.
+// `mode` is nrd::CheckerboardMode: 0 off, 1 black, 2 white. It names diffuse's pixels; specular has the others.
 bool hasCheckerboardSample(ivec2 pixel, uint frameIndex, uint mode, bool isDiffuse)
 {
     bool isOdd = ((uint(pixel.x ^ pixel.y) ^ frameIndex) & 1u) != 0u;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <cstring>
 #include <fstream>
 #include <sys/wait.h>
 
@@ -130,6 +131,33 @@ TEST_CASE("a capture of a checkerboard says so and has its holes", "[program]")
         CHECK(wrongCount == 0);
         CHECK(diffuseCount > 200);
     }
+}
+
+TEST_CASE("resolved SH brings normal-mapped relief back", "[program]")
+{
+    // Of the denoised picture against its reference.
+    struct Errors
+    {
+        double ssim = 0.0;
+        double flip = 0.0;
+    };
+    const auto measure = [](const std::string& denoiser)
+    {
+        const test::TemporaryFolder folder;
+        const Outcome outcome = run("--scene bumps --size 240x135 --frames 20 --reference-spp 96 --reference-frames 19"
+                                    " --denoiser " +
+                                    denoiser + " --demo " + (folder / "demo").string());
+        REQUIRE(outcome.exitCode == 0);
+        Errors errors;
+        double noisy = 0.0;
+        const char* text = outcome.output.c_str();
+        REQUIRE(std::sscanf(std::strstr(text, "ssim "), "ssim %lf %lf", &noisy, &errors.ssim) == 2);
+        REQUIRE(std::sscanf(std::strstr(text, "flip "), "flip %lf %lf", &noisy, &errors.flip) == 2);
+        return errors;
+    };
+    const Errors plain = measure("REBLUR_DIFFUSE_SPECULAR"), sh = measure("REBLUR_DIFFUSE_SPECULAR_SH");
+    CHECK(sh.flip < 0.95 * plain.flip);
+    CHECK(1.0 - sh.ssim < 0.6 * (1.0 - plain.ssim));
 }
 
 TEST_CASE("--set changes the picture", "[program]")
