@@ -80,7 +80,7 @@ void addLight(inout Path path, float choice, vec2 u)
     contribution *= light.pdf > 0.0 ? powerHeuristic(light.pdf, toLight.pdf) : 1.0;
     float reach = brightest(contribution) > 0.0 ? light.distance : 0.0;
     Hit shadow = traceRay(offsetOrigin(path.surface, light.direction), light.direction, reach, true);
-    contribution *= shadow.triangle == kNoHit ? 1.0 : 0.0;
+    contribution = shadow.triangle == kNoHit ? contribution : vec3(0.0);
     path.radiance += contribution;
     if (path.bounce == 0u) path.firstLight = light.direction * luminance(contribution);
 }
