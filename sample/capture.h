@@ -95,6 +95,15 @@ struct CaptureFrame
     std::optional<CaptureLight> light; // where it differs from the capture's
 };
 
+// Which pixels have the samples of the diffuse lobe, when each lobe was traced in every second pixel; specular has the
+// others. Black: those whose x + y + frame is even.
+enum class CaptureCheckerboard : uint8_t
+{
+    Off,
+    Black,
+    White
+};
+
 struct CaptureInfo
 {
     std::string name;
@@ -103,6 +112,7 @@ struct CaptureInfo
     double metersPerUnit = 1.0;                                          // > 0
     double denoisingRange = 1000.0;                                      // > 0, world units; sky is beyond it
     std::array<double, 4> hitDistanceParameters = {3.0, 0.1, 20.0, -25}; // A (world units), B, C, D
+    CaptureCheckerboard checkerboard = CaptureCheckerboard::Off;
     std::optional<CaptureLight> light;
     std::vector<CaptureFrame> frames;
 };

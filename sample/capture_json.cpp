@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <fstream>
+#include <iterator>
 #include <limits>
 
 namespace sample
@@ -100,6 +101,19 @@ std::optional<CaptureLight> parseLight(const Node& owner)
     return light;
 }
 
+constexpr const char* kCheckerboards[] = {"off", "black", "white"}; // in the order of CaptureCheckerboard
+
+CaptureCheckerboard parseCheckerboard(const Node& root)
+{
+    constexpr const char* kKey = "checkerboard";
+    if (!root.has(kKey)) return CaptureCheckerboard::Off;
+    const std::string expected = "\"off\", \"black\" or \"white\"";
+    const std::string name = root.text(kKey, expected);
+    for (size_t i = 0; i < std::size(kCheckerboards); i++)
+        if (name == kCheckerboards[i]) return static_cast<CaptureCheckerboard>(i);
+    root.fail(kKey, expected);
+}
+
 CaptureFrame parseFrame(const Node& node, bool isFirst)
 {
     CaptureFrame frame;
@@ -150,6 +164,7 @@ CaptureInfo parseInfo(const std::filesystem::path& file, const Json& json)
     info.hitDistanceParameters = root.numbers<4>("hitDistanceParameters", kHuge, "four finite numbers");
     if (!(info.hitDistanceParameters[0] > 0.0) || info.hitDistanceParameters[1] < 0.0)
         root.fail("hitDistanceParameters", "A above 0 and B of at least 0");
+    info.checkerboard = parseCheckerboard(root);
     info.light = parseLight(root);
     parseFrames(root, info);
     return info;
@@ -199,6 +214,8 @@ void writeCaptureInfo(const std::filesystem::path& file, const CaptureInfo& info
                  {"denoisingRange", info.denoisingRange},
                  {"hitDistanceParameters", info.hitDistanceParameters},
                  {"frames", Json::array()}};
+    if (info.checkerboard != CaptureCheckerboard::Off)
+        json["checkerboard"] = kCheckerboards[static_cast<size_t>(info.checkerboard)];
     if (info.light) json["light"] = toJson(*info.light);
     for (const CaptureFrame& frame : info.frames) json["frames"].push_back(toJson(frame));
     std::ofstream stream(file, std::ios::binary);

@@ -12,20 +12,14 @@ namespace
 constexpr nrd::Identifier kIdentifier = 0;
 constexpr uint32_t kGroupSize = 8;
 
-struct PackConstants
-{
-    glm::vec4 hitDistanceParameters;
-    glm::uvec2 size;
-};
-
 struct ComposeConstants
 {
     glm::uvec2 size;
-    float denoisingRange;
+    glm::vec2 occlusionWeights;
 };
 
-engine::ComputePipeline createPipeline(const engine::Device& device, Shader shader, const DenoiseDesc& desc,
-                                       uint32_t sampledCount, uint32_t constantsByteSize)
+engine::ComputePipeline createPipeline(const engine::Device& device, Shader shader, uint32_t sampledCount,
+                                       uint32_t constantsByteSize)
 {
     const ShaderBlob blob = shaderBlob(shader);
     engine::ComputeDesc pipeline;
@@ -33,10 +27,9 @@ engine::ComputePipeline createPipeline(const engine::Device& device, Shader shad
     pipeline.words = blob.words;
     pipeline.byteSize = blob.byteSize;
     pipeline.bindings.assign(sampledCount, VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE);
-    pipeline.bindings.resize(sampledCount + 3, VK_DESCRIPTOR_TYPE_STORAGE_IMAGE);
+    pipeline.bindings.push_back(VK_DESCRIPTOR_TYPE_STORAGE_IMAGE);
     pipeline.pushConstantByteSize = constantsByteSize;
-    pipeline.setCount = desc.framesInFlight;
-    return engine::ComputePipeline(device, pipeline);
+    return {device, pipeline};
 }
 
 nrd::NrdUserImage toUserImage(const engine::Image& image)
@@ -53,31 +46,21 @@ nrd::NrdUserImage toUserImage(const engine::Image& image)
 
 void copyMatrix(const glm::mat4& from, float (&to)[16]) { std::memcpy(to, glm::value_ptr(from), sizeof(to)); }
 
-nrd::CommonSettings toSettings(const DenoiseDesc& desc, const DenoiseFrame& frame, const View& previous)
+// The weights of the lobes in a picture of occlusion; both 0: the picture is of light.
+glm::vec2 occlusionWeights(const SampleDenoiser& denoiser)
 {
-    nrd::CommonSettings s;
-    copyMatrix(frame.view.camera.viewToClip, s.viewToClipMatrix);
-    copyMatrix(previous.camera.viewToClip, s.viewToClipMatrixPrev);
-    copyMatrix(frame.view.camera.worldToView, s.worldToViewMatrix);
-    copyMatrix(previous.camera.worldToView, s.worldToViewMatrixPrev);
-    s.motionVectorScale[2] = 1.0f;
-    s.isMotionVectorInWorldSpace = true;
-    for (int i = 0; i < 2; ++i)
-    {
-        s.cameraJitter[i] = frame.view.jitter[i];
-        s.cameraJitterPrev[i] = previous.jitter[i];
-        const auto size = static_cast<uint16_t>(i == 0 ? desc.width : desc.height);
-        s.resourceSize[i] = s.resourceSizePrev[i] = s.rectSize[i] = s.rectSizePrev[i] = size;
-    }
-    s.timeDeltaBetweenFrames = frame.deltaTimeMs;
-    s.denoisingRange = frame.denoisingRange;
-    s.frameIndex = frame.view.frameIndex;
-    s.accumulationMode = frame.isCut ? nrd::AccumulationMode::CLEAR_AND_RESTART : nrd::AccumulationMode::CONTINUE;
-    return s;
+    const glm::vec2 lobes(denoiser.hasOcclusionOnly(Lobe::Diffuse), denoiser.hasOcclusionOnly(Lobe::Specular));
+    return lobes / std::max(lobes.x + lobes.y, 1.0f);
 }
 
 template <class T> std::span<const std::byte> bytesOf(const T& value) { return std::as_bytes(std::span(&value, 1)); }
 } // namespace
+
+glm::vec3 hitDistanceParametersOf(const ReplaySettings& settings)
+{
+    const nrd::HitDistanceParameters& h = settings.reblur.hitDistanceParameters;
+    return {h.A * settings.common.metersToUnits, h.B, h.C};
+}
 
 engine::DeviceDesc denoiserDeviceDesc()
 {
@@ -90,14 +73,10 @@ engine::DeviceDesc denoiserDeviceDesc()
 
 DenoiseStage::DenoiseStage(const engine::Device& device, const DenoiseDesc& desc) : m_device(device), m_desc(desc)
 {
+    if (desc.denoiser.family != Family::None) createIntegration(); // first: it may be refused
     createImages();
-    const bool isPacked = desc.denoiser == DenoiserChoice::ReblurDiffuseSpecular;
-    m_pack = createPipeline(device, Shader::Pack, desc, 5, sizeof(PackConstants));
-    m_compose = createPipeline(device, isPacked ? Shader::ComposeDenoised : Shader::ComposeNoisy, desc, 6,
-                               sizeof(ComposeConstants));
-    m_packSets.resize(desc.framesInFlight);
-    m_composeSets.resize(desc.framesInFlight);
-    if (desc.denoiser != DenoiserChoice::None) createIntegration();
+    m_packGuides = createPipeline(device, Shader::PackGuides, 2, sizeof(glm::uvec2));
+    m_compose = createPipeline(device, Shader::Compose, 5, sizeof(ComposeConstants));
 }
 
 void DenoiseStage::check(nrd::Result result, const char* action) const
@@ -112,15 +91,16 @@ void DenoiseStage::createImages()
         return engine::Image(m_device, {name, m_desc.width, m_desc.height, format});
     };
     m_normalRoughness = create("normal and roughness", VK_FORMAT_A2B10G10R10_UNORM_PACK32);
-    m_noisyDiffuse = create("noisy diffuse", VK_FORMAT_R16G16B16A16_SFLOAT);
-    m_noisySpecular = create("noisy specular", VK_FORMAT_R16G16B16A16_SFLOAT);
-    m_denoisedDiffuse = create("denoised diffuse", VK_FORMAT_R16G16B16A16_SFLOAT);
-    m_denoisedSpecular = create("denoised specular", VK_FORMAT_R16G16B16A16_SFLOAT);
     m_composed = create("composed", VK_FORMAT_R32G32B32A32_SFLOAT);
-    m_diffuse = create("unpacked diffuse", VK_FORMAT_R32G32B32A32_SFLOAT);
-    m_specular = create("unpacked specular", VK_FORMAT_R32G32B32A32_SFLOAT);
-    if (m_desc.denoiser == DenoiserChoice::Reference)
-        m_signal = create("composed noisy", VK_FORMAT_R32G32B32A32_SFLOAT);
+    if (m_desc.denoiser.family == Family::Reference) m_signal = create("composed noisy", VK_FORMAT_R32G32B32A32_SFLOAT);
+    for (Lobe lobe : kLobes)
+    {
+        const LobeFormat format = m_desc.denoiser.format(lobe);
+        if (format == LobeFormat::None) continue;
+        m_lobes[static_cast<size_t>(lobe)].emplace(m_device, LobeSignalDesc{lobe, format, m_desc.width, m_desc.height,
+                                                                            hitDistanceParametersOf(m_desc.settings),
+                                                                            m_desc.settings.reblur.checkerboardMode});
+    }
 }
 
 void DenoiseStage::createIntegration()
@@ -136,18 +116,34 @@ void DenoiseStage::createIntegration()
     creation.resourceHeight = static_cast<uint16_t>(m_desc.height);
     creation.framesInFlight = m_desc.framesInFlight;
     creation.createDefaultPipelines = true;
-    const bool isReblur = m_desc.denoiser == DenoiserChoice::ReblurDiffuseSpecular;
-    const nrd::DenoiserDesc denoiser = {kIdentifier,
-                                        isReblur ? nrd::Denoiser::REBLUR_DIFFUSE_SPECULAR : nrd::Denoiser::REFERENCE};
+    const nrd::DenoiserDesc denoiser = {kIdentifier, m_desc.denoiser.denoiser};
     nrd::InstanceCreationDesc instance;
     instance.denoisers = &denoiser;
     instance.denoisersNum = 1;
     check(m_integration.Create(creation, instance), "create the denoiser");
-    if (!isReblur) return;
-    nrd::ReblurSettings settings;
-    settings.hitDistanceParameters = {m_desc.hitDistanceParameters.x, m_desc.hitDistanceParameters.y,
-                                      m_desc.hitDistanceParameters.z};
-    check(m_integration.SetDenoiserSettings(kIdentifier, settings), "set the denoiser's settings");
+    applyFamilySettings();
+}
+
+void DenoiseStage::applyFamilySettings()
+{
+    constexpr const char* kAction = "set the denoiser's settings";
+    switch (m_desc.denoiser.family)
+    {
+    case Family::Reblur:
+        return check(m_integration.SetDenoiserSettings(kIdentifier, m_desc.settings.reblur), kAction);
+    case Family::Reference:
+        return check(m_integration.SetDenoiserSettings(kIdentifier, m_desc.settings.reference), kAction);
+    case Family::None:
+    case Family::Relax:
+    case Family::Sigma:
+        return; // not in the table of this program
+    }
+}
+
+engine::Image* DenoiseStage::denoised(Lobe lobe)
+{
+    std::optional<LobeSignal>& signal = m_lobes[static_cast<size_t>(lobe)];
+    return signal ? &signal->values() : nullptr;
 }
 
 double DenoiseStage::memoryMiB() const
@@ -158,97 +154,109 @@ double DenoiseStage::memoryMiB() const
 
 void DenoiseStage::record(VkCommandBuffer cmd, FrameImages& images, const DenoiseFrame& frame)
 {
-    m_slot = (m_slot + 1) % m_desc.framesInFlight;
-    if (m_desc.denoiser == DenoiserChoice::ReblurDiffuseSpecular)
+    if (m_desc.denoiser.family == Family::Reblur)
     {
-        pack(cmd, images);
+        packGuides(cmd, images);
+        for (auto& lobe : m_lobes)
+            if (lobe) lobe->recordPack(cmd, images, frame.view.frameIndex);
         denoise(cmd, images, frame);
-        compose(cmd, images, frame.denoisingRange);
+        for (auto& lobe : m_lobes)
+            if (lobe) lobe->recordUnpack(cmd, images, frame.denoisingRange);
     }
-    else
-    {
-        compose(cmd, images, frame.denoisingRange);
-        if (m_desc.denoiser == DenoiserChoice::Reference) denoise(cmd, images, frame);
-    }
+    compose(cmd, images);
+    if (m_desc.denoiser.family == Family::Reference) denoise(cmd, images, frame);
     m_previous = frame.view;
 }
 
-void DenoiseStage::pack(VkCommandBuffer cmd, FrameImages& images)
+void DenoiseStage::packGuides(VkCommandBuffer cmd, FrameImages& images)
 {
-    std::vector<engine::Binding> bindings;
-    for (engine::Image* in :
-         {&images.viewZ, &images.normalRoughness, &images.motion, &images.diffuse, &images.specular})
+    transition(cmd, images.normalRoughness, engine::kSampled);
+    transition(cmd, images.motion, engine::kSampled);
+    transition(cmd, m_normalRoughness, engine::kStorage);
+    if (!m_packGuidesSet)
+        m_packGuidesSet = m_packGuides.createSet({images.normalRoughness, images.motion, m_normalRoughness});
+    m_packGuides.dispatch(
+        cmd, m_packGuidesSet, bytesOf(glm::uvec2(m_desc.width, m_desc.height)),
+        {engine::groupCount(m_desc.width, kGroupSize), engine::groupCount(m_desc.height, kGroupSize), 1});
+}
+
+nrd::CommonSettings DenoiseStage::settingsOf(const DenoiseFrame& frame) const
+{
+    const bool isCut = frame.isCut || !m_previous;
+    const View& previous = isCut ? frame.view : *m_previous;
+    ReplaySettings settings = m_desc.settings;
+    nrd::CommonSettings& s = settings.common;
+    copyMatrix(frame.view.camera.viewToClip, s.viewToClipMatrix);
+    copyMatrix(previous.camera.viewToClip, s.viewToClipMatrixPrev);
+    copyMatrix(frame.view.camera.worldToView, s.worldToViewMatrix);
+    copyMatrix(previous.camera.worldToView, s.worldToViewMatrixPrev);
+    s.motionVectorScale[2] = 1.0f;
+    s.isMotionVectorInWorldSpace = true;
+    for (int i = 0; i < 2; ++i)
     {
-        transition(cmd, *in, engine::kSampled);
-        bindings.emplace_back(*in);
+        s.cameraJitter[i] = frame.view.jitter[i];
+        s.cameraJitterPrev[i] = previous.jitter[i];
+        const auto size = static_cast<uint16_t>(i == 0 ? m_desc.width : m_desc.height);
+        s.resourceSize[i] = s.resourceSizePrev[i] = s.rectSize[i] = s.rectSizePrev[i] = size;
     }
-    for (engine::Image* out : {&m_normalRoughness, &m_noisyDiffuse, &m_noisySpecular})
+    s.timeDeltaBetweenFrames = frame.deltaTimeMs;
+    s.denoisingRange = frame.denoisingRange;
+    s.frameIndex = frame.view.frameIndex;
+    s.accumulationMode = isCut ? nrd::AccumulationMode::CLEAR_AND_RESTART : nrd::AccumulationMode::CONTINUE;
+    applySettings(settings, m_desc.denoiser.family, m_desc.assignments);
+    return s;
+}
+
+std::vector<SlotImage> DenoiseStage::slots(FrameImages& images)
+{
+    using nrd::ResourceType;
+    if (m_desc.denoiser.family == Family::Reference)
+        return {{ResourceType::IN_SIGNAL, &m_signal}, {ResourceType::OUT_SIGNAL, &m_composed}};
+    std::vector<SlotImage> all = {{ResourceType::IN_MV, &images.motion},
+                                  {ResourceType::IN_NORMAL_ROUGHNESS, &m_normalRoughness},
+                                  {ResourceType::IN_VIEWZ, &images.viewZ}};
+    for (auto& lobe : m_lobes)
     {
-        transition(cmd, *out, engine::kStorage);
-        bindings.emplace_back(*out);
+        if (!lobe) continue;
+        const std::vector<SlotImage> own = lobe->slots();
+        all.insert(all.end(), own.begin(), own.end());
     }
-    VkDescriptorSet& set = m_packSets[m_slot];
-    if (!set) set = m_pack.createSet(bindings); // the images are always the same
-    const PackConstants constants = {glm::vec4(m_desc.hitDistanceParameters, 0.0f),
-                                     glm::uvec2(m_desc.width, m_desc.height)};
-    m_pack.dispatch(cmd, set, bytesOf(constants),
-                    {engine::groupCount(m_desc.width, kGroupSize), engine::groupCount(m_desc.height, kGroupSize), 1});
+    return all;
 }
 
 void DenoiseStage::denoise(VkCommandBuffer cmd, FrameImages& images, const DenoiseFrame& frame)
 {
-    using nrd::ResourceType;
-    const bool isReblur = m_desc.denoiser == DenoiserChoice::ReblurDiffuseSpecular;
-    std::vector<std::pair<ResourceType, engine::Image*>> slots;
-    if (isReblur)
-        slots = {{ResourceType::IN_MV, &images.motion},
-                 {ResourceType::IN_NORMAL_ROUGHNESS, &m_normalRoughness},
-                 {ResourceType::IN_VIEWZ, &images.viewZ},
-                 {ResourceType::IN_DIFF_RADIANCE_HITDIST, &m_noisyDiffuse},
-                 {ResourceType::IN_SPEC_RADIANCE_HITDIST, &m_noisySpecular},
-                 {ResourceType::OUT_DIFF_RADIANCE_HITDIST, &m_denoisedDiffuse},
-                 {ResourceType::OUT_SPEC_RADIANCE_HITDIST, &m_denoisedSpecular}};
-    else
-        slots = {{ResourceType::IN_SIGNAL, &m_signal}, {ResourceType::OUT_SIGNAL, &m_composed}};
-
-    const bool isCut = frame.isCut || !m_previous;
-    DenoiseFrame checked = frame;
-    checked.isCut = isCut;
     check(m_integration.NewFrame(), "begin a frame of the denoiser");
-    check(m_integration.SetCommonSettings(toSettings(m_desc, checked, isCut ? frame.view : *m_previous)),
-          "set the frame's settings");
+    check(m_integration.SetCommonSettings(settingsOf(frame)), "set the frame's settings");
+    const std::vector<SlotImage> all = slots(images);
     nrd::NrdUserPool pool;
-    for (const auto& [slot, image] : slots) pool[slot] = toUserImage(*image);
+    for (const auto& [slot, image] : all) pool[slot] = toUserImage(*image);
     check(m_integration.Denoise(cmd, &kIdentifier, 1, pool), "denoise");
-    for (const auto& [slot, image] : slots)
+    for (const auto& [slot, image] : all)
     {
         const nrd::NrdImageState& state = pool[slot].state;
         image->state = {state.layout, state.access, state.stages};
     }
 }
 
-void DenoiseStage::compose(VkCommandBuffer cmd, FrameImages& images, float denoisingRange)
+void DenoiseStage::compose(VkCommandBuffer cmd, FrameImages& images)
 {
-    const bool isReblur = m_desc.denoiser == DenoiserChoice::ReblurDiffuseSpecular;
-    engine::Image& target = m_desc.denoiser == DenoiserChoice::Reference ? m_signal : m_composed;
+    engine::Image& target = m_desc.denoiser.family == Family::Reference ? m_signal : m_composed;
+    engine::Image* diffuse = denoised(Lobe::Diffuse);
+    engine::Image* specular = denoised(Lobe::Specular);
     std::vector<engine::Binding> bindings;
-    for (engine::Image* in :
-         {isReblur ? &m_denoisedDiffuse : &images.diffuse, isReblur ? &m_denoisedSpecular : &images.specular,
-          &images.diffuseFactor, &images.specularFactor, &images.direct, &images.viewZ})
+    for (engine::Image* in : {diffuse ? diffuse : &images.diffuse, specular ? specular : &images.specular,
+                              &images.diffuseFactor, &images.specularFactor, &images.direct})
     {
         transition(cmd, *in, engine::kSampled);
         bindings.emplace_back(*in);
     }
-    for (engine::Image* out : {&target, &m_diffuse, &m_specular})
-    {
-        transition(cmd, *out, engine::kStorage);
-        bindings.emplace_back(*out);
-    }
-    VkDescriptorSet& set = m_composeSets[m_slot];
-    if (!set) set = m_compose.createSet(bindings);
-    const ComposeConstants constants = {glm::uvec2(m_desc.width, m_desc.height), denoisingRange};
+    transition(cmd, target, engine::kStorage);
+    bindings.emplace_back(target);
+    if (!m_composeSet) m_composeSet = m_compose.createSet(bindings);
+    const ComposeConstants constants = {glm::uvec2(m_desc.width, m_desc.height), occlusionWeights(m_desc.denoiser)};
     m_compose.dispatch(
-        cmd, set, bytesOf(constants),
+        cmd, m_composeSet, bytesOf(constants),
         {engine::groupCount(m_desc.width, kGroupSize), engine::groupCount(m_desc.height, kGroupSize), 1});
 }
 } // namespace sample

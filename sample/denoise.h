@@ -1,25 +1,20 @@
 // From the traced signals to the composed picture: packing, NrdIntegration on the sample's own images, composition.
 #pragma once
-#include "path_tracer.h"
+#include "lobe_signal.h"
+#include "replay_settings.h"
 
 #include <nrd/integration.h>
 
 namespace sample
 {
-enum class DenoiserChoice : uint8_t
-{
-    None, // composes the noisy signals
-    ReblurDiffuseSpecular,
-    Reference // accumulates the composed noisy picture
-};
-
 struct DenoiseDesc
 {
-    DenoiserChoice denoiser = DenoiserChoice::ReblurDiffuseSpecular;
+    const SampleDenoiser& denoiser;
     uint32_t width = 0; // pixels, as the tracer's
     uint32_t height = 0;
     uint32_t framesInFlight = 2;
-    glm::vec3 hitDistanceParameters = glm::vec3(3.0f, 0.1f, 20.0f); // as the tracer's
+    ReplaySettings settings;             // of the denoiser's family; those of a frame are made anew for each
+    std::vector<Assignment> assignments; // --set, for the settings of a frame
 };
 
 /// What changes from frame to frame.
@@ -37,13 +32,13 @@ public:
     /// Throws engine::Error with the library's own sentence when the denoiser cannot be created.
     DenoiseStage(const engine::Device& device, const DenoiseDesc& desc);
 
-    /// Records everything from packing to composition; reads the frame's images, which end in sampled state.
-    /// Frames come in order, and the device has finished the one `framesInFlight` frames ago.
+    /// Records everything from packing to composition; reads the frame's images, which end in sampled state and must
+    /// be the same ones in every call. Frames come in order.
     void record(VkCommandBuffer cmd, FrameImages& images, const DenoiseFrame& frame);
 
     engine::Image& composed() { return m_composed; } // RGBA32F, linear
-    engine::Image& diffuse() { return m_diffuse; }   // RGBA32F: linear radiance, normalised hit distance
-    engine::Image& specular() { return m_specular; }
+    /// RGBA32F: linear radiance, normalised hit distance. Null when the denoiser does not take the lobe.
+    engine::Image* denoised(Lobe lobe);
 
     /// MiB of the denoiser's pools; 0 without denoiser.
     double memoryMiB() const;
@@ -51,22 +46,27 @@ public:
 private:
     void createImages();
     void createIntegration();
-    void pack(VkCommandBuffer cmd, FrameImages& images);
+    void applyFamilySettings();
+    nrd::CommonSettings settingsOf(const DenoiseFrame& frame) const;
+    std::vector<SlotImage> slots(FrameImages& images);
+    void packGuides(VkCommandBuffer cmd, FrameImages& images);
     void denoise(VkCommandBuffer cmd, FrameImages& images, const DenoiseFrame& frame);
-    void compose(VkCommandBuffer cmd, FrameImages& images, float denoisingRange);
+    void compose(VkCommandBuffer cmd, FrameImages& images);
     void check(nrd::Result result, const char* action) const;
 
     const engine::Device& m_device;
     DenoiseDesc m_desc;
-    engine::Image m_normalRoughness, m_noisyDiffuse, m_noisySpecular; // inputs
-    engine::Image m_denoisedDiffuse, m_denoisedSpecular;              // outputs
-    engine::Image m_composed, m_diffuse, m_specular, m_signal;
-    engine::ComputePipeline m_pack, m_compose;
-    std::vector<VkDescriptorSet> m_packSets, m_composeSets; // one per frame in flight
+    engine::Image m_normalRoughness, m_composed;
+    engine::Image m_signal; // REFERENCE: the composed noisy picture
+    std::array<std::optional<LobeSignal>, 2> m_lobes;
+    engine::ComputePipeline m_packGuides, m_compose;
+    VkDescriptorSet m_packGuidesSet = VK_NULL_HANDLE, m_composeSet = VK_NULL_HANDLE;
     nrd::NrdIntegration m_integration;
     std::optional<View> m_previous;
-    uint32_t m_slot = 0;
 };
+
+/// A in world units, B, C: what tracing and packing divide hit distances by.
+glm::vec3 hitDistanceParametersOf(const ReplaySettings& settings);
 
 /// Core features the denoiser library needs of the device; an engine asks before it creates its device.
 engine::DeviceDesc denoiserDeviceDesc();

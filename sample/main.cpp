@@ -60,7 +60,7 @@ class Run
 public:
     Run(const Options& options, Renderer& renderer)
         : m_options(options), m_renderer(renderer), m_info(renderer.captureInfo()),
-          m_measurer(m_info, producedSignals())
+          m_measurer(m_info, producedSignals(*options.denoiser))
     {
         if (!options.capture.empty()) m_writer.emplace(options.capture, m_info);
     }
@@ -75,11 +75,11 @@ public:
     }
 
 private:
-    static SignalSet producedSignals()
+    static SignalSet producedSignals(const SampleDenoiser& denoiser)
     {
         SignalSet set = {};
-        set[static_cast<size_t>(Signal::Diffuse)] = true;
-        set[static_cast<size_t>(Signal::Specular)] = true;
+        set[static_cast<size_t>(Signal::Diffuse)] = denoiser.hasRadiance(Lobe::Diffuse);
+        set[static_cast<size_t>(Signal::Specular)] = denoiser.hasRadiance(Lobe::Specular);
         return set;
     }
 

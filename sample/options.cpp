@@ -9,16 +9,56 @@ namespace sample
 {
 namespace
 {
-const std::map<std::string, DenoiserChoice> kDenoisers = {
-    {"NONE", DenoiserChoice::None},
-    {"REFERENCE", DenoiserChoice::Reference},
-    {"REBLUR_DIFFUSE_SPECULAR", DenoiserChoice::ReblurDiffuseSpecular}};
-
 constexpr const char* kFooter =
-    "Without SCENE the built-in Cornell box is shown. Against fireflies, in frames and references alike: a path whose\n"
-    "demodulated radiance exceeds 250 is dimmed to that, and --roughening blurs caustics. Blended materials are cut\n"
-    "out at an alpha of one half.\n"
+    "Against fireflies, in frames and references alike: a path whose demodulated radiance exceeds 250 is dimmed to\n"
+    "that, and --roughening blurs caustics. Blended materials are cut out at an alpha of one half.\n"
+    "A denoiser of one lobe is shown with the other lobe noisy. A denoiser of occlusion gives a grey picture of the\n"
+    "denoised hit distance, of both lobes their mean. --demo needs a denoiser of radiance.\n"
     "Exit code 0 means that everything asked for was done.";
+
+template <class T> struct Named
+{
+    const char* name;
+    T value;
+};
+constexpr Named<Lobes> kLobeNames[] = {{"both", Lobes::Both}, {"probabilistic", Lobes::Probabilistic}};
+constexpr Named<nrd::CheckerboardMode> kCheckerboardNames[] = {{"off", nrd::CheckerboardMode::OFF},
+                                                               {"black", nrd::CheckerboardMode::BLACK},
+                                                               {"white", nrd::CheckerboardMode::WHITE}};
+
+// "one of A B C", for a list of rows with names.
+template <class List> std::string oneOf(const List& list)
+{
+    std::string text = "one of";
+    for (const auto& row : list) text += std::string(" ") + row.name;
+    return text;
+}
+
+// An option that takes the name of a row of `rows` and stores its value.
+template <class T, size_t N>
+CLI::Option* addNamed(CLI::App& app, const char* option, const Named<T> (&rows)[N], T& value, const char* description)
+{
+    const auto parse = [&rows, &value, option](const std::string& name)
+    {
+        const auto* row = std::find_if(rows, rows + N, [&](const Named<T>& r) { return name == r.name; });
+        if (row == rows + N) throw CLI::ValidationError(option, "'" + name + "' is not " + oneOf(rows));
+        value = row->value;
+    };
+    return app.add_option_function<std::string>(option, parse, description);
+}
+
+void parseDenoiser(const std::string& name, Options& options)
+{
+    options.denoiser = findSampleDenoiser(name);
+    if (!options.denoiser)
+        throw CLI::ValidationError("--denoiser", "'" + name + "' is not " + oneOf(sampleDenoisers()));
+}
+
+void parseBuiltIn(const std::string& name, Options& options)
+{
+    options.builtIn = findBuiltInScene(name);
+    if (!options.builtIn) throw CLI::ValidationError("--scene", "'" + name + "' is not " + oneOf(builtInScenes()));
+}
 
 // "960x540"
 void parseSize(const std::string& text, Options& options)
@@ -43,8 +83,9 @@ void addRendering(CLI::App& app, Options& o)
 {
     app.add_option("SCENE", o.scene, "glTF 2.0 file, .gltf or .glb");
     app.add_flag("--headless", o.isHeadless, "Render without a window");
-    app.add_option("--denoiser", o.denoiser, "REBLUR_DIFFUSE_SPECULAR, REFERENCE or NONE")
-        ->transform(CLI::CheckedTransformer(kDenoisers, CLI::ignore_case))
+    app.add_option_function<std::string>(
+           "--scene", [&o](const std::string& s) { parseBuiltIn(s, o); },
+           "Instead of SCENE, " + oneOf(builtInScenes()) + "; default cornell")
         ->option_text("NAME");
     app.add_option("--environment", o.environment, "Equirectangular picture, .hdr or .exr");
     app.add_option_function<std::string>(
@@ -60,6 +101,33 @@ void addRendering(CLI::App& app, Options& o)
         ->check(CLI::Range(0.0, 1.0));
     app.add_flag("--jitter", o.hasJitter, "Move the sub-pixel position from frame to frame");
     app.add_option("--seed", o.seed, "Of the noise, default 0");
+}
+
+// What is traced of the two lobes, and what becomes of them.
+void addLobes(CLI::App& app, Options& o)
+{
+    app.add_option_function<std::string>(
+           "--denoiser", [&o](const std::string& s) { parseDenoiser(s, o); },
+           oneOf(sampleDenoisers()) + "; default REBLUR_DIFFUSE_SPECULAR")
+        ->option_text("NAME");
+    app.add_option_function<std::vector<std::string>>(
+           "--set",
+           [&o](const std::vector<std::string>& texts)
+           {
+               for (const std::string& text : texts) o.settings.push_back(parseAssignment(text));
+           },
+           "A field of the common or the denoiser's settings, such as maxBlurRadius=20; may be repeated")
+        ->allow_extra_args(false) // or SCENE after it would be taken for a setting
+        ->option_text("KEY=VALUE");
+    addNamed(
+        app, "--lobes", kLobeNames, o.lobes,
+        "both (default) traces a path for each lobe of a pixel; probabilistic traces one, for the lobe that chance "
+        "picks, and has the denoiser reconstruct hit distances")
+        ->option_text("WHICH");
+    addNamed(app, "--checkerboard", kCheckerboardNames, o.checkerboard,
+             "black or white: each lobe in every second pixel, the diffuse one in those of that colour in even frames; "
+             "default off")
+        ->option_text("COLOR");
 }
 
 void addOutputs(CLI::App& app, Options& o)
@@ -97,22 +165,45 @@ void addDevice(CLI::App& app, Options& o)
     app.add_flag("--validation", o.validation, "Khronos validation with synchronisation; any message is a failure");
 }
 
+void checkLobes(const Options& o)
+{
+    const bool isCheckerboard = o.checkerboard != nrd::CheckerboardMode::OFF;
+    if (isCheckerboard && o.lobes == Lobes::Probabilistic)
+        throw CLI::ValidationError("--checkerboard", "--lobes probabilistic already leaves one lobe per pixel");
+    if (o.settings.empty()) return;
+    if (o.denoiser->family == Family::None) throw CLI::ValidationError("--set", "there is no denoiser to set up");
+    if (denoiserSettings(o).reblur.checkerboardMode != o.checkerboard)
+        throw CLI::ValidationError("--set", "checkerboardMode follows from --checkerboard");
+}
+
 // What depends on more than one option.
 void complete(Options& o)
 {
     checkPicture(o.screenshot, "--screenshot");
     checkPicture(o.noisyScreenshot, "--noisy-screenshot");
     checkPicture(o.referenceScreenshot, "--reference-screenshot");
+    if (!o.scene.empty() && o.builtIn) throw CLI::ValidationError("--scene", "SCENE is given, too");
     const bool needsReference = !o.demo.empty() || !o.referenceScreenshot.empty();
     if (needsReference && o.referenceSpp == 0) o.referenceSpp = 128; // two minutes on two cores without a GPU
     const bool hasFrames = o.referenceFrames.every != 0 || !o.referenceFrames.list.empty();
     if (o.referenceSpp > 0 && !hasFrames && (!o.capture.empty() || !o.demo.empty()))
         o.referenceFrames.every = o.demo.empty() ? 8 : 16;
     if (!o.referenceScreenshot.empty()) o.referenceFrames.list.push_back(o.frames - 1);
-    if (!o.demo.empty() && o.denoiser == DenoiserChoice::None)
-        throw CLI::ValidationError("--demo", "there is nothing to show with --denoiser NONE");
+    if (!o.demo.empty() && !o.denoiser->composesLight())
+        throw CLI::ValidationError("--demo", std::string("--denoiser ") + o.denoiser->name + " denoises no radiance");
+    checkLobes(o);
 }
 } // namespace
+
+ReplaySettings denoiserSettings(const Options& options)
+{
+    ReplaySettings settings;
+    settings.reblur.checkerboardMode = options.checkerboard;
+    if (options.lobes == Lobes::Probabilistic)
+        settings.reblur.hitDistanceReconstructionMode = nrd::HitDistanceReconstructionMode::AREA_3X3;
+    applySettings(settings, options.denoiser->family, options.settings);
+    return settings;
+}
 
 bool ReferenceFrames::contains(uint32_t frame) const
 {
@@ -153,6 +244,7 @@ std::optional<Options> parseOptions(int argumentCount, char** arguments, int& ex
                                           std::to_string(nrd::kVersionBuild));
     app.footer(kFooter);
     addRendering(app, options);
+    addLobes(app, options);
     addOutputs(app, options);
     addDevice(app, options);
     try
@@ -169,6 +261,12 @@ std::optional<Options> parseOptions(int argumentCount, char** arguments, int& ex
         else
             app.exit(error); // prints the help or the version
         exitCode = isError ? 1 : 0;
+        return std::nullopt;
+    }
+    catch (const SettingError& error)
+    {
+        std::fprintf(stderr, "error: %s\n", error.what());
+        exitCode = 1;
         return std::nullopt;
     }
 }

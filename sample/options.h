@@ -1,5 +1,6 @@
 // The command line of nrd-sample.
 #pragma once
+#include "built_in_scenes.h"
 #include "denoise.h"
 
 #include <filesystem>
@@ -20,9 +21,13 @@ ReferenceFrames parseReferenceFrames(const std::string& text);
 
 struct Options
 {
-    std::filesystem::path scene;       // empty: the Cornell box
-    std::filesystem::path environment; // empty: none, or the default sky where nothing else shines
-    DenoiserChoice denoiser = DenoiserChoice::ReblurDiffuseSpecular;
+    std::filesystem::path scene;           // empty: a built-in one
+    const BuiltInScene* builtIn = nullptr; // null: none was asked for
+    std::filesystem::path environment;     // empty: none, or the default sky where nothing else shines
+    const SampleDenoiser* denoiser = findSampleDenoiser("REBLUR_DIFFUSE_SPECULAR"); // never null
+    std::vector<Assignment> settings;                                               // --set
+    Lobes lobes = Lobes::Both;
+    nrd::CheckerboardMode checkerboard = nrd::CheckerboardMode::OFF;
     uint32_t width = 480; // pixels, [16; 8192]
     uint32_t height = 270;
     uint32_t frames = 33; // [1; 100000]
@@ -43,6 +48,9 @@ struct Options
     bool isHeadless = false;
     bool listDevices = false;
 };
+
+/// What the options ask of the denoiser: the settings they imply, then --set. Throws SettingError.
+ReplaySettings denoiserSettings(const Options& options);
 
 /// nullopt: everything is said and done (--help, --version, or an error on stderr), exit with `exitCode`.
 std::optional<Options> parseOptions(int argumentCount, char** arguments, int& exitCode);

@@ -30,14 +30,21 @@ bool usesTextures(const Scene& scene)
     return false;
 }
 
-// Same order as the constant ids in scene_data.glsl.
-std::vector<uint32_t> specializationOf(const Scene& scene, bool hasEnvironment)
+// Same order as the constant ids in scene_data.glsl and lobe_choice.glsl.
+std::vector<uint32_t> specializationOf(const Scene& scene, bool hasEnvironment, const TracerDesc& frames)
 {
     const auto any = [](const auto& list, auto predicate) { return std::any_of(list.begin(), list.end(), predicate); };
     const bool hasMask = any(scene.materials, [](const Material& m) { return m.alphaCutoff > 0.0f; });
     const bool hasEmission = any(scene.materials, [](const Material& m) { return glm::length(m.emission) > 0.0f; });
     const bool hasPunctual = any(scene.nodes, [](const Node& n) { return n.light != kNone; });
-    return {usesTextures(scene), hasMask, hasEmission, hasPunctual, hasEnvironment, !scene.channels.empty()};
+    return {usesTextures(scene),
+            hasMask,
+            hasEmission,
+            hasPunctual,
+            hasEnvironment,
+            !scene.channels.empty(),
+            frames.lobes == Lobes::Probabilistic,
+            static_cast<uint32_t>(frames.checkerboard)};
 }
 
 uint32_t environmentLight(const SceneLights& lights)
@@ -81,6 +88,8 @@ void PathTracer::createImages()
         {&m_images.diffuseFactor, "traced diffuse factor"},
         {&m_images.specularFactor, "traced specular factor"},
         {&m_images.direct, "traced direct"},
+        {&m_images.diffuseOrigin, "traced diffuse origin"},
+        {&m_images.specularOrigin, "traced specular origin"},
         {&m_sumDiffuse, "reference diffuse"},
         {&m_sumSpecular, "reference specular"}};
     for (const auto& [image, name] : vectors) *image = create(name, VK_FORMAT_R32G32B32A32_SFLOAT);
@@ -114,9 +123,9 @@ PathTracer::Program PathTracer::createProgram(const Scene& scene, const Environm
     desc.byteSize = blob.byteSize;
     desc.bindings.assign(kSceneBindings, VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER);
     desc.bindings[0] = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
-    desc.bindings.resize(kSceneBindings + (mode == 0 ? 10 : 2), VK_DESCRIPTOR_TYPE_STORAGE_IMAGE);
+    desc.bindings.resize(kSceneBindings + (mode == 0 ? 12 : 2), VK_DESCRIPTOR_TYPE_STORAGE_IMAGE);
     desc.setCount = kSlotCount;
-    desc.specialization = specializationOf(scene, environment != nullptr);
+    desc.specialization = specializationOf(scene, environment != nullptr, mode == 0 ? m_desc : TracerDesc());
     return {engine::ComputePipeline(m_device, desc), std::vector<VkDescriptorSet>(kSlotCount, VK_NULL_HANDLE)};
 }
 
@@ -168,7 +177,9 @@ void PathTracer::recordFrame(VkCommandBuffer cmd, const View& view)
                                                  &i.specularDirection,
                                                  &i.diffuseFactor,
                                                  &i.specularFactor,
-                                                 &i.direct};
+                                                 &i.direct,
+                                                 &i.diffuseOrigin,
+                                                 &i.specularOrigin};
     record(cmd, m_frame, targets, view, glm::uvec4(m_desc.seed, view.frameIndex, 1, 1));
 }
 

@@ -5,8 +5,17 @@
 #include "engine/compute.h"
 #include "scene_pack.h"
 
+#include <nrd/settings.h>
+
 namespace sample
 {
+/// How many paths a frame spends on a pixel that has both lobes.
+enum class Lobes : uint8_t
+{
+    Both,         // one path for each
+    Probabilistic // one path: for the lobe that chance picks, its radiance divided by the probability
+};
+
 struct TracerDesc
 {
     uint32_t width = 0;      // pixels, > 0
@@ -18,7 +27,10 @@ struct TracerDesc
     float roughening = 0.5f;
     // A single path's demodulated radiance is scaled down to this in its brightest channel.
     float maxRadiance = 250.0f;
-    glm::vec3 hitDistanceParameters = glm::vec3(3.0f, 0.1f, 20.0f); // A (world units), B, C
+    // Both are of frames; references always have all samples. What a pixel does not trace is 0 in every component.
+    Lobes lobes = Lobes::Both;
+    nrd::CheckerboardMode checkerboard = nrd::CheckerboardMode::OFF; // each lobe in its half of the pixels
+    glm::vec3 hitDistanceParameters = glm::vec3(3.0f, 0.1f, 20.0f);  // A (world units), B, C
 };
 
 /// What one frame leaves behind; meaning as in the capture format, unless noted. Floats, so that no device's rounding
@@ -34,7 +46,11 @@ struct FrameImages
     engine::Image specularDirection;
     engine::Image diffuseFactor;
     engine::Image specularFactor;
-    engine::Image direct; // RGBA16F
+    engine::Image direct;
+    // Not in captures. Where a sample's radiance comes from: between the directions of the bounce and of the light that
+    // was sampled at the surface, by luminance; up to unit length.
+    engine::Image diffuseOrigin;
+    engine::Image specularOrigin;
 };
 
 /// Where and when a frame is traced from.

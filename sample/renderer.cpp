@@ -2,7 +2,6 @@
 
 #include "engine/transfer.h"
 #include "gltf.h"
-#include "scene_cornell.h"
 
 #include <algorithm>
 #include <glm/gtc/type_ptr.hpp>
@@ -22,17 +21,16 @@ TracerDesc tracerDesc(const Options& options)
     desc.seed = options.seed;
     desc.maxBounces = options.bounces;
     desc.roughening = options.roughening;
+    desc.lobes = options.lobes;
+    desc.checkerboard = options.checkerboard;
+    desc.hitDistanceParameters = hitDistanceParametersOf(denoiserSettings(options));
     return desc;
 }
 
 DenoiseDesc denoiseDesc(const Options& options)
 {
-    DenoiseDesc desc;
-    desc.denoiser = options.denoiser;
-    desc.width = options.width;
-    desc.height = options.height;
-    desc.framesInFlight = kFramesInFlight;
-    return desc;
+    return {*options.denoiser,         options.width,   options.height, kFramesInFlight,
+            denoiserSettings(options), options.settings};
 }
 
 const Environment* environmentOf(const Stage& stage) { return stage.environment ? &*stage.environment : nullptr; }
@@ -44,7 +42,7 @@ Image readPicture(const engine::Device& device, engine::Image& source)
     return picture;
 }
 
-// The first `count` components of a picture as planes.
+// `count` components of a picture as planes.
 Picture toPlanes(const Image& image, size_t first, size_t count)
 {
     Picture picture(image.width, image.height, count);
@@ -58,6 +56,14 @@ Matrix toMatrix(const glm::mat4& m)
     Matrix out;
     for (int i = 0; i < 16; ++i) out[size_t(i)] = double(m[i / 4][i % 4]);
     return out;
+}
+
+CaptureCheckerboard toCapture(nrd::CheckerboardMode mode)
+{
+    using nrd::CheckerboardMode;
+    static_assert(int(CheckerboardMode::BLACK) == int(CaptureCheckerboard::Black) &&
+                  int(CheckerboardMode::WHITE) == int(CaptureCheckerboard::White));
+    return static_cast<CaptureCheckerboard>(mode);
 }
 
 // first..first+2 of `planes` as a picture.
@@ -76,8 +82,10 @@ Image toImage(const Planes& planes, Channel first)
 Stage loadStage(const Options& options)
 {
     Stage stage;
-    stage.scene = options.scene.empty() ? makeCornellBox() : loadGltf(options.scene);
-    if (options.scene.empty()) stage.notes.push_back("No scene was given: showing the built-in Cornell box.");
+    const bool isDefault = options.scene.empty() && !options.builtIn;
+    if (isDefault) stage.notes.push_back("No scene was given: showing the built-in Cornell box.");
+    const BuiltInScene& builtIn = options.builtIn ? *options.builtIn : builtInScenes().front();
+    stage.scene = options.scene.empty() ? builtIn.make() : loadGltf(options.scene);
     if (!options.environment.empty()) stage.environment = makeEnvironment(readImage(options.environment));
     if (!stage.environment && !hasLights(stage.scene))
     {
@@ -182,14 +190,18 @@ Planes Renderer::readSums(uint32_t samples, const Planes& frame)
 
 Signals Renderer::readDenoised()
 {
+    constexpr Signal kRadiance[] = {Signal::Diffuse, Signal::Specular};
+    constexpr Signal kHitDistance[] = {Signal::NormHitDist, Signal::SpecularNormHitDist};
     Signals signals;
-    if (m_options.denoiser != DenoiserChoice::ReblurDiffuseSpecular) return signals;
-    const Image diffuse = readPicture(m_device, m_denoise.diffuse());
-    const Image specular = readPicture(m_device, m_denoise.specular());
-    signals[Signal::Diffuse] = toPlanes(diffuse, 0, 3);
-    signals[Signal::Specular] = toPlanes(specular, 0, 3);
-    signals[Signal::NormHitDist] = toPlanes(diffuse, 3, 1);
-    signals[Signal::SpecularNormHitDist] = toPlanes(specular, 3, 1);
+    for (Lobe lobe : kLobes)
+    {
+        engine::Image* denoised = m_denoise.denoised(lobe);
+        if (!denoised) continue;
+        const Image image = readPicture(m_device, *denoised);
+        const auto i = static_cast<size_t>(lobe);
+        if (m_options.denoiser->hasRadiance(lobe)) signals[kRadiance[i]] = toPlanes(image, 0, 3);
+        signals[kHitDistance[i]] = toPlanes(image, 3, 1);
+    }
     return signals;
 }
 
@@ -215,6 +227,7 @@ CaptureInfo Renderer::captureInfo() const
     info.denoisingRange = double(m_tracer.denoisingRange());
     const glm::vec3 h = m_tracer.desc().hitDistanceParameters;
     info.hitDistanceParameters = {double(h.x), double(h.y), double(h.z), -25.0};
+    info.checkerboard = toCapture(m_options.checkerboard);
     return info;
 }
 

@@ -34,7 +34,7 @@ public:
     Planes readFrame();
     /// Traces the reference of the last frame; `progress` gets the share that is done.
     Planes traceReference(const Planes& frame, uint32_t samples, const std::function<void(double)>& progress);
-    /// The denoiser's output for the last frame, linear; no pictures without a denoiser of the two lobes.
+    /// What the denoiser made of the lobes in the last frame, linear.
     Signals readDenoised();
     /// The composed picture of the last frame.
     Image readComposed();

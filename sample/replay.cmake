@@ -19,15 +19,17 @@ add_library(nrd_measures STATIC
 target_include_directories(nrd_measures PUBLIC "${CMAKE_CURRENT_SOURCE_DIR}/measures")
 target_link_libraries(nrd_measures PUBLIC nrd_capture PRIVATE Threads::Threads nrd_warnings)
 
+# The denoisers by name and --set, of all programs.
+add_library(nrd_settings STATIC replay_denoisers.cpp replay_settings.cpp)
+target_link_libraries(nrd_settings PUBLIC nrd_measures nrd::nrd PRIVATE nrd_warnings)
+
 # What the replay tool is made of but for Vulkan, for its tests too.
 add_library(nrd_replay STATIC
     replay_camera.cpp
-    replay_denoisers.cpp
     replay_output.cpp
     replay_report.cpp
-    replay_settings.cpp
     replay_tables.cpp)
-target_link_libraries(nrd_replay PUBLIC nrd_measures nrd::nrd PRIVATE nlohmann_json::nlohmann_json nrd_warnings)
+target_link_libraries(nrd_replay PUBLIC nrd_settings PRIVATE nlohmann_json::nlohmann_json nrd_warnings)
 
 nrd_shader_library(replay_shaders NAMESPACE replay INCLUDES
     "${CMAKE_CURRENT_SOURCE_DIR}/shaders" "${PROJECT_SOURCE_DIR}/shaders/include")

@@ -217,11 +217,15 @@ void ReplayGpu::recordPack(VkCommandBuffer cmd, Slot& slot, const ReplaySettings
     engine::transition(cmd, slot.image, engine::kStorage);
     const bool isMix = slot.row.type == nrd::ResourceType::IN_DISOCCLUSION_THRESHOLD_MIX;
     const nrd::HitDistanceParameters& p = settings.reblur.hitDistanceParameters;
+    const bool isLobe = slot.row.layer == Layer::Diffuse || slot.row.layer == Layer::Specular;
+    const bool isHalved = isLobe && m_denoiser.family == Family::Reblur;
     const PackConstants constants{{p.A * settings.common.metersToUnits, p.B, p.C, 0.0f},
                                   slot.row.mode,
                                   slot.row.isDiffuse,
                                   {static_cast<uint32_t>(m_info.width), static_cast<uint32_t>(m_info.height)},
-                                  isMix ? m_desc.disocclusionMix : m_desc.confidence};
+                                  isMix ? m_desc.disocclusionMix : m_desc.confidence,
+                                  isHalved ? static_cast<uint32_t>(settings.reblur.checkerboardMode) : 0u,
+                                  settings.common.frameIndex};
     m_packing.pack(cmd, slot.set, constants);
 }
 

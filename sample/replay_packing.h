@@ -11,8 +11,10 @@ struct PackConstants
     float hitDistanceParameters[4]; // .xyz A, B, C
     uint32_t mode;                  // REPLAY_PACK_...
     uint32_t isDiffuse;
-    uint32_t size[2]; // pixels
-    float constant;   // of REPLAY_PACK_CONSTANT
+    uint32_t size[2];              // pixels
+    float constant;                // of REPLAY_PACK_CONSTANT
+    uint32_t checkerboardMode = 0; // nrd::CheckerboardMode, 0 for what is no lobe
+    uint32_t frameIndex = 0;
 };
 
 // Push constants of replay_unpack.comp.glsl.

@@ -1,4 +1,5 @@
 #include "scene_cornell.h"
+#include "scene_shapes.h"
 
 #include <cmath>
 
@@ -10,8 +11,6 @@ constexpr float kHalfWidth = 2.6f; // of the room, metres
 constexpr float kHeight = 3.4f;
 constexpr float kHalfDepth = 3.4f;
 constexpr float kDuration = 8.0f;
-constexpr int kKeyCount = 65;
-constexpr float kTwoPi = 6.28318531f;
 
 enum MaterialIndex
 {
@@ -23,16 +22,6 @@ enum MaterialIndex
     Plastic,
     Lamp
 };
-
-Material makeMaterial(const char* name, const glm::vec3& color, float metallic, float roughness)
-{
-    Material m;
-    m.name = name;
-    m.baseColor = glm::vec4(color, 1.0f);
-    m.metallic = metallic;
-    m.roughness = roughness;
-    return m;
-}
 
 std::vector<Material> makeMaterials()
 {
@@ -47,27 +36,6 @@ std::vector<Material> makeMaterials()
     };
     materials[Lamp].emission = glm::vec3(6.6f, 5.3f, 3.8f);
     return materials;
-}
-
-// Counter-clockwise seen from the side the normal points to.
-void addQuad(Primitive& p, const glm::vec3& origin, const glm::vec3& u, const glm::vec3& v)
-{
-    const auto first = static_cast<uint32_t>(p.positions.size());
-    const glm::vec3 normal = glm::normalize(glm::cross(u, v));
-    for (const glm::vec3& corner : {origin, origin + u, origin + u + v, origin + v})
-    {
-        p.positions.push_back(corner);
-        p.normals.push_back(normal);
-    }
-    for (uint32_t i : {0u, 1u, 2u, 0u, 2u, 3u}) p.indices.push_back(first + i);
-}
-
-Primitive makeQuad(int material, const glm::vec3& origin, const glm::vec3& u, const glm::vec3& v)
-{
-    Primitive p;
-    p.material = material;
-    addQuad(p, origin, u, v);
-    return p;
 }
 
 // Standing on y = 0 around the origin.
@@ -102,43 +70,6 @@ Mesh makeRoom()
     return mesh;
 }
 
-// Keys of a smooth closed motion; `value` gives the numbers at a phase in [0; 2 pi].
-template <class F> AnimationChannel makeChannel(int node, AnimationPath path, uint32_t valueSize, F value)
-{
-    AnimationChannel channel;
-    channel.node = node;
-    channel.path = path;
-    channel.valueSize = valueSize;
-    for (int i = 0; i < kKeyCount; ++i)
-    {
-        const float phase = kTwoPi * float(i) / float(kKeyCount - 1);
-        channel.times.push_back(kDuration * float(i) / float(kKeyCount - 1));
-        const auto numbers = value(phase);
-        for (uint32_t c = 0; c < valueSize; ++c) channel.values.push_back(numbers[int(c)]);
-    }
-    return channel;
-}
-
-glm::vec4 turnAboutY(float angle) { return {0.0f, std::sin(0.5f * angle), 0.0f, std::cos(0.5f * angle)}; }
-
-// `tilt` about the turned X axis: negative looks down.
-glm::vec4 turnAndTilt(float angle, float tilt)
-{
-    const glm::quat turn = glm::angleAxis(angle, glm::vec3(0, 1, 0)), pitch = glm::angleAxis(tilt, glm::vec3(1, 0, 0));
-    const glm::quat q = turn * pitch;
-    return {q.x, q.y, q.z, q.w};
-}
-
-Node makeNode(const char* name, int mesh, const glm::vec3& translation, float angle)
-{
-    Node node;
-    node.name = name;
-    node.mesh = mesh;
-    node.translation = translation;
-    const glm::vec4 q = turnAboutY(angle);
-    node.rotation = glm::quat(q.w, q.x, q.y, q.z);
-    return node;
-}
 } // namespace
 
 Scene makeCornellBox()
@@ -155,20 +86,20 @@ Scene makeCornellBox()
     scene.nodes.push_back(makeNode("camera", kNone, glm::vec3(0.0f, 1.6f, 3.2f), 0.0f));
     scene.nodes.back().camera = 0;
     scene.cameras.push_back({0.9f, 0.05f});
-    scene.channels.push_back(makeChannel(2, AnimationPath::Translation, 3,
+    scene.channels.push_back(makeChannel(2, AnimationPath::Translation, 3, kDuration,
                                          [](float phase) {
                                              return glm::vec3(0.95f + 0.45f * std::sin(phase), 0.0f,
                                                               -0.5f + 0.3f * (1.0f - std::cos(phase)));
                                          }));
-    scene.channels.push_back(makeChannel(2, AnimationPath::Rotation, 4,
+    scene.channels.push_back(makeChannel(2, AnimationPath::Rotation, 4, kDuration,
                                          [](float phase) { return turnAboutY(-0.3f + 0.5f * std::sin(phase)); }));
-    scene.channels.push_back(makeChannel(3, AnimationPath::Translation, 3,
+    scene.channels.push_back(makeChannel(3, AnimationPath::Translation, 3, kDuration,
                                          [](float phase)
                                          {
                                              return glm::vec3(0.55f * std::sin(phase), 1.6f + 0.1f * std::sin(phase),
                                                               3.2f - 0.25f * (1.0f - std::cos(phase)));
                                          }));
-    scene.channels.push_back(makeChannel(3, AnimationPath::Rotation, 4,
+    scene.channels.push_back(makeChannel(3, AnimationPath::Rotation, 4, kDuration,
                                          [](float phase) { return turnAndTilt(0.12f * std::sin(phase), -0.08f); }));
     scene.duration = kDuration;
     return scene;

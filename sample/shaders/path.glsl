@@ -2,8 +2,8 @@
 // path starts its next one at once instead of waiting for its neighbours.
 #ifndef PATH_GLSL
 #define PATH_GLSL
-#include "bsdf.glsl"
 #include "lights.glsl"
+#include "lobe_choice.glsl"
 
 const uint kPairsPerBounce = 3u;
 const uint kRouletteBounce = 2u; // the first two bounces always live
@@ -18,7 +18,14 @@ struct PathSums
     float specularDistance;
     vec3 diffuseDirection;  // of the last sample
     vec3 specularDirection;
+    vec3 diffuseOrigin;     // where the radiance of the last sample comes from
+    vec3 specularOrigin;
 };
+
+PathSums noPaths()
+{
+    return PathSums(vec3(0.0), vec3(0.0), 0.0, 0.0, 0.0, 0.0, vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0));
+}
 
 float powerHeuristic(float a, float b)
 {
@@ -29,11 +36,6 @@ float powerHeuristic(float a, float b)
 float lobeSpread(float r)
 {
     return (1.0 - exp2(-200.0 * r * r)) * sqrt(r);
-}
-
-float brightest(vec3 c)
-{
-    return max(c.r, max(c.g, c.b));
 }
 
 // A non-finite path is dropped, a very bright one dimmed: the only bias, documented with the --help of the program.
@@ -56,6 +58,7 @@ struct Path
     vec3 throughput;
     vec3 radiance;
     vec3 firstDirection;
+    vec3 firstLight; // direction to the light sampled at the primary surface, times the luminance that came from it
     float firstDistance;
     float spread; // radians the ray widens by
     float width;  // of the ray, world units
@@ -65,7 +68,7 @@ struct Path
 Path startPath(Surface primary, Bsdf bsdf, uint lobes, uint index, uint seed, float width)
 {
     return Path(primary, bsdf, lobes, lobes, 0u, hash(seed ^ (lobes * 0x9E3779B9u)), index, vec3(1.0), vec3(0.0),
-                vec3(0.0), 0.0, g.frustum.z, width, 0.0);
+                vec3(0.0), vec3(0.0), 0.0, g.frustum.z, width, 0.0);
 }
 
 // Light that reaches this vertex directly.
@@ -77,7 +80,9 @@ void addLight(inout Path path, float choice, vec2 u)
     contribution *= light.pdf > 0.0 ? powerHeuristic(light.pdf, toLight.pdf) : 1.0;
     float reach = brightest(contribution) > 0.0 ? light.distance : 0.0;
     Hit shadow = traceRay(offsetOrigin(path.surface, light.direction), light.direction, reach, true);
-    path.radiance += shadow.triangle == kNoHit ? contribution : vec3(0.0);
+    contribution = shadow.triangle == kNoHit ? contribution : vec3(0.0);
+    path.radiance += contribution;
+    if (path.bounce == 0u) path.firstLight = light.direction * luminance(contribution);
 }
 
 // False: the path ends here. `u` picks the direction, `choice` the lobe, `chance` plays roulette.
@@ -127,43 +132,70 @@ bool advance(inout Path path, vec3 direction, float pdf, bool isAlive)
     return isAlive && path.bounce < g.environment.w && brightest(path.throughput) > 1e-5;
 }
 
-void finishPath(inout PathSums sums, Path path, vec3 factor, float scale)
+// How the light of the primary surface is split into signals.
+struct Split
 {
-    vec3 demodulated = bounded(path.radiance / factor);
+    LobeChoice choice;
+    bool isPlain;       // both lobes together, without demodulation, into .diffuse
+    vec3 diffuseFactor; // what demodulation divides by
+    vec3 specularFactor;
+};
+
+// The lobes of the `item`-th path of a pixel: two that are split take turns.
+uint lobesOf(uint item, Split split)
+{
+    bool hasTurns = !split.isPlain && bitCount(split.choice.lobes) == 2;
+    if (!hasTurns) return split.choice.lobes;
+    return (item & 1u) == 0u ? kDiffuseLobe : kSpecularLobe;
+}
+
+// Mean of the directions from which a path's radiance reaches the primary surface: the sampled light's and the bounce's.
+// Shorter than 1 where they differ.
+vec3 originOf(Path path)
+{
+    float all = luminance(path.radiance), light = length(path.firstLight);
+    return all > 0.0 ? (path.firstLight + path.firstDirection * max(all - light, 0.0)) / max(all, light)
+                     : path.firstDirection;
+}
+
+void finishPath(inout PathSums sums, Path path, Split split, vec2 hitDistanceScales)
+{
+    bool isDiffuse = path.firstLobes == kDiffuseLobe, isSpecular = path.firstLobes == kSpecularLobe;
+    vec3 factor = isDiffuse ? split.diffuseFactor : isSpecular ? split.specularFactor : vec3(1.0);
+    vec3 demodulated = bounded(path.radiance / factor) * split.choice.scale;
+    float scale = isDiffuse ? hitDistanceScales.x : hitDistanceScales.y;
     float normalized = path.firstDistance >= kMiss ? 1.0 : clamp(path.firstDistance / scale, 0.0, 1.0);
-    if (path.firstLobes == kSpecularLobe)
+    if (isSpecular)
     {
         sums.specular += demodulated;
         sums.specularHit += normalized;
         sums.specularDistance = path.firstDistance;
         sums.specularDirection = path.firstDirection;
+        sums.specularOrigin = originOf(path);
         return;
     }
     sums.diffuse += demodulated;
     sums.diffuseHit += normalized;
     sums.diffuseDistance = path.firstDistance;
     sums.diffuseDirection = path.firstDirection;
+    sums.diffuseOrigin = originOf(path);
 }
 
-// The factors are what demodulation divides by; `isSplit` false gives plain paths with both lobes, summed in .diffuse.
-PathSums tracePaths(Surface primary, float viewZ, float width, vec3 diffuseFactor, vec3 specularFactor, uint seed,
-                    bool isSplit)
+PathSums tracePaths(Surface primary, float viewZ, float width, Split split, uint seed)
 {
-    PathSums sums = PathSums(vec3(0.0), vec3(0.0), 0.0, 0.0, 0.0, 0.0, vec3(0.0), vec3(0.0));
-    float diffuseScale = g.hitDistanceParameters.x + g.hitDistanceParameters.y * abs(viewZ);
-    float specularScale = diffuseScale * mix(g.hitDistanceParameters.z, 1.0, lobeSpread(primary.roughness));
-    bool hasDiffuse = isSplit && brightest(primary.albedo) > 0.0;
+    PathSums sums = noPaths();
+    vec2 scales = vec2(g.hitDistanceParameters.x + g.hitDistanceParameters.y * abs(viewZ));
+    scales.y *= mix(g.hitDistanceParameters.z, 1.0, lobeSpread(primary.roughness));
     Bsdf bsdf = makeBsdf(primary);
-    uint total = g.sampling.z * (hasDiffuse ? 2u : 1u);
+    uint perSample = split.isPlain ? 1u : uint(bitCount(split.choice.lobes));
+    uint total = g.sampling.z * perSample;
     uint item = 0u;
     bool isNew = true;
     Path path = startPath(primary, bsdf, 0u, 0u, seed, width);
     while (item < total)
     {
-        uint firstLobes = !isSplit ? kDiffuseLobe | kSpecularLobe : kSpecularLobe;
-        if (hasDiffuse && (item & 1u) == 0u) firstLobes = kDiffuseLobe;
-        uint index = g.sampling.y + (hasDiffuse ? item >> 1 : item);
-        if (isNew) path = startPath(primary, bsdf, firstLobes, index, seed, width);
+        uint index = g.sampling.y + (perSample == 2u ? item >> 1 : item);
+        if (isNew) path = startPath(primary, bsdf, lobesOf(item, split), index, seed, width);
         uint pair = path.seed + path.bounce * kPairsPerBounce * 0x632BE5ABu;
         vec2 choices = sampleSquare(pair + 0xC657CB56u, index);
         addLight(path, choices.x, sampleSquare(pair, index));
@@ -173,9 +205,7 @@ PathSums tracePaths(Surface primary, float viewZ, float width, vec3 diffuseFacto
         bool isAlive = sampleDirection(path, sampleSquare(pair + 0x632BE5ABu, index), choices.y, chance, direction, pdf);
         isNew = !advance(path, direction, pdf, isAlive);
         if (!isNew) continue;
-        bool isDiffuse = path.firstLobes == kDiffuseLobe;
-        vec3 factor = !isSplit ? vec3(1.0) : isDiffuse ? diffuseFactor : specularFactor;
-        finishPath(sums, path, factor, isDiffuse ? diffuseScale : specularScale);
+        finishPath(sums, path, split, scales);
         ++item;
     }
     return sums;

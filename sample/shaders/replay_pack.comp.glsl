@@ -2,6 +2,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_samplerless_texture_functions : require
+#include "checkerboard.glsl"
 #include "nrd_frontend.glsl"
 #include "replay_modes.h"
 
@@ -18,6 +19,8 @@ layout(push_constant) uniform Constants
     uint isDiffuse;
     uvec2 size; // pixels
     float constant;
+    uint checkerboardMode; // nrd::CheckerboardMode, 0 for what is no lobe
+    uint frameIndex;
 }
 g;
 
@@ -58,5 +61,6 @@ void main()
 {
     uvec2 id = gl_GlobalInvocationID.xy;
     if (any(greaterThanEqual(id, g.size))) return;
-    imageStore(gOut_Slot, ivec2(id), pack(ivec2(id)));
+    if (!hasCheckerboardSample(ivec2(id), g.frameIndex, g.checkerboardMode, g.isDiffuse != 0u)) return;
+    imageStore(gOut_Slot, packedPixel(ivec2(id), g.checkerboardMode), pack(ivec2(id)));
 }

@@ -31,6 +31,11 @@ float luminance(vec3 c)
     return dot(c, vec3(0.2126, 0.7152, 0.0722));
 }
 
+float brightest(vec3 c)
+{
+    return max(c.r, max(c.g, c.b));
+}
+
 // Two unit vectors that make a right-handed frame with n; Duff et al. 2017.
 void makeFrame(vec3 n, out vec3 t, out vec3 b)
 {

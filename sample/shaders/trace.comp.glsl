@@ -16,6 +16,8 @@ layout(set = 0, binding = 16) uniform writeonly image2D gOut_SpecularDirection;
 layout(set = 0, binding = 17) uniform writeonly image2D gOut_DiffuseFactor;
 layout(set = 0, binding = 18) uniform writeonly image2D gOut_SpecularFactor;
 layout(set = 0, binding = 19) uniform writeonly image2D gOut_Direct;
+layout(set = 0, binding = 20) uniform writeonly image2D gOut_DiffuseOrigin;
+layout(set = 0, binding = 21) uniform writeonly image2D gOut_SpecularOrigin;
 #else
 layout(set = 0, binding = 10, rgba32f) uniform image2D gSum_Diffuse; // .w: normalised hit distance
 layout(set = 0, binding = 11, rgba32f) uniform image2D gSum_Specular;
@@ -48,13 +50,14 @@ void main()
     float width = isSky ? 0.0 : g.frustum.z * hit.t;
     Surface s = fetchSurface(hit, direction, width, 0.0);
     float viewZ = isSky ? g.frustum.w : (g.worldToView * vec4(s.position, 1.0)).z;
-    vec3 diffuseFactor, specularFactor;
-    demodulationFactors(s, diffuseFactor, specularFactor);
+    Split split = Split(LobeChoice(kDiffuseLobe | kSpecularLobe, 1.0), MODE == 2, vec3(1.0), vec3(1.0));
+    demodulationFactors(s, split.diffuseFactor, split.specularFactor);
+    if (MODE != 2) split.choice = chooseLobes(s, makeBsdf(s), pixel, g.sampling.y);
     vec3 direct = isSky ? (kHasEnvironment ? environmentSmooth(direction) : vec3(0.0)) : s.emission;
     uint seed = hash(uint(pixel.y) * g.size.x + uint(pixel.x) + g.sampling.x * 0x9E3779B9u);
 
-    PathSums sums = PathSums(vec3(0.0), vec3(0.0), 0.0, 0.0, 0.0, 0.0, vec3(0.0), vec3(0.0));
-    if (!isSky) sums = tracePaths(s, viewZ, width, diffuseFactor, specularFactor, seed, MODE != 2);
+    PathSums sums = noPaths();
+    if (!isSky) sums = tracePaths(s, viewZ, width, split, seed);
 #if MODE == 0
     vec3 motion = kHasMotion && !isSky ? fetchMotion(hit) : vec3(0.0);
     vec3 toSurface = isSky ? vec3(0.0) : vec3(1.0);
@@ -65,9 +68,11 @@ void main()
     imageStore(gOut_Specular, pixel, vec4(sums.specular, sums.specularDistance));
     imageStore(gOut_DiffuseDirection, pixel, vec4(sums.diffuseDirection, 0.0));
     imageStore(gOut_SpecularDirection, pixel, vec4(sums.specularDirection, 0.0));
-    imageStore(gOut_DiffuseFactor, pixel, vec4(diffuseFactor * toSurface, 0.0));
-    imageStore(gOut_SpecularFactor, pixel, vec4(specularFactor * toSurface, 0.0));
+    imageStore(gOut_DiffuseFactor, pixel, vec4(split.diffuseFactor * toSurface, 0.0));
+    imageStore(gOut_SpecularFactor, pixel, vec4(split.specularFactor * toSurface, 0.0));
     imageStore(gOut_Direct, pixel, vec4(direct, 0.0));
+    imageStore(gOut_DiffuseOrigin, pixel, vec4(sums.diffuseOrigin, 0.0));
+    imageStore(gOut_SpecularOrigin, pixel, vec4(sums.specularOrigin, 0.0));
 #else
     vec4 diffuse = vec4(sums.diffuse, sums.diffuseHit), specular = vec4(sums.specular, sums.specularHit);
     if (g.sampling.w == 0u)

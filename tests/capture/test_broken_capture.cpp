@@ -68,6 +68,8 @@ TEST_CASE("every wrong value of capture.json is named", "[unit]")
         {"/denoisingRange", 1e300, "denoisingRange"},
         {"/hitDistanceParameters", {3, 0.1, 20}, "hitDistanceParameters"},
         {"/hitDistanceParameters", {0, 0.1, 20, -25}, "hitDistanceParameters"},
+        {"/checkerboard", "red", "checkerboard"},
+        {"/checkerboard", true, "checkerboard"},
         {"/light", 5, "light"},
         {"/light/direction", {0, 0, 0}, "light.direction"},
         {"/light/direction", {0, 0}, "light.direction"},

@@ -56,6 +56,22 @@ TEST_CASE("a layer that was not recorded is absent, and an optional channel may 
     CHECK(capture.light(0) == nullptr);
 }
 
+TEST_CASE("a capture tells its checkerboard, and keys nobody knows are ignored", "[unit]")
+{
+    const TempFolder folder;
+    writeCapture(folder.path());
+    CHECK(Capture::open(folder.path()).info().checkerboard == CaptureCheckerboard::Off);
+    editJson(folder.path(),
+             [](nlohmann::json& json)
+             {
+                 json["checkerboard"] = "white";
+                 json["someday"] = {1, 2, 3};
+                 json["frames"][0]["someday"] = "yes";
+             });
+    CHECK(readingError(folder.path()).empty());
+    CHECK(Capture::open(folder.path()).info().checkerboard == CaptureCheckerboard::White);
+}
+
 TEST_CASE("a light given per frame replaces the capture's", "[unit]")
 {
     TempFolder folder;

@@ -2,9 +2,11 @@
 #include "capture.h"
 #include "catch.h"
 #include "gltf_builder.h"
+#include "sample_denoisers.h"
 
 #include <algorithm>
 #include <cstdio>
+#include <cstring>
 #include <fstream>
 #include <sys/wait.h>
 
@@ -81,8 +83,9 @@ TEST_CASE("the default scene renders, denoises, compares and records", "[program
 
 TEST_CASE("every denoiser choice runs", "[program]")
 {
-    for (const char* name : {"NONE", "REFERENCE", "REBLUR_DIFFUSE_SPECULAR"})
+    for (const sample::SampleDenoiser& row : sample::sampleDenoisers())
     {
+        const char* name = row.name;
         const test::TemporaryFolder folder;
         const Outcome outcome = run("--headless --validation --size 33x17 --frames 4 --jitter --denoiser " +
                                     std::string(name) + " --screenshot " + (folder / "a.png").string());
@@ -90,6 +93,86 @@ TEST_CASE("every denoiser choice runs", "[program]")
         CHECK(outcome.exitCode == 0);
         CHECK(std::filesystem::exists(folder / "a.png"));
     }
+}
+
+TEST_CASE("one lobe per pixel is denoised", "[program]")
+{
+    for (const char* option : {"--lobes probabilistic", "--checkerboard black", "--checkerboard white"})
+        for (const char* denoiser : {"REBLUR_DIFFUSE_SPECULAR", "REBLUR_DIFFUSE_SPECULAR_SH"})
+        {
+            const std::string arguments = std::string(option) + " --denoiser " + denoiser;
+            const Outcome outcome = run("--headless --validation --size 33x17 --frames 4 " + arguments);
+            INFO(arguments << ": " << outcome.errors);
+            CHECK(outcome.exitCode == 0);
+        }
+}
+
+TEST_CASE("a capture of a checkerboard says so and has its holes", "[program]")
+{
+    const test::TemporaryFolder folder;
+    const std::string path = (folder / "capture").string();
+    REQUIRE(run("--headless --size 32x18 --frames 2 --denoiser NONE --checkerboard white --capture " + path).exitCode ==
+            0);
+    const sample::Capture capture = sample::Capture::open(path);
+    CHECK(capture.info().checkerboard == sample::CaptureCheckerboard::White);
+    for (uint32_t f = 0; f < 2; ++f)
+    {
+        const sample::Planes frame = capture.readFrame(f);
+        size_t wrongCount = 0, diffuseCount = 0;
+        for (uint32_t i = 0; i < frame.pixelCount(); ++i)
+        {
+            const bool isDiffuse = ((i % 32 + i / 32 + f) & 1u) == 1;
+            const bool hasDiffuse = frame[sample::Channel::DiffuseHitDist][i] > 0.0f;
+            const bool hasSpecular = frame[sample::Channel::SpecularHitDist][i] > 0.0f;
+            wrongCount += hasSpecular == isDiffuse || (hasDiffuse && !isDiffuse);
+            wrongCount += !hasDiffuse && frame[sample::Channel::DiffuseG][i] != 0.0f;
+            diffuseCount += hasDiffuse;
+        }
+        CHECK(wrongCount == 0);
+        CHECK(diffuseCount > 200);
+    }
+}
+
+TEST_CASE("resolved SH brings normal-mapped relief back", "[program]")
+{
+    // Of the denoised picture against its reference.
+    struct Errors
+    {
+        double ssim = 0.0;
+        double flip = 0.0;
+    };
+    const auto measure = [](const std::string& denoiser)
+    {
+        const test::TemporaryFolder folder;
+        const Outcome outcome = run("--scene bumps --size 240x135 --frames 20 --reference-spp 96 --reference-frames 19"
+                                    " --denoiser " +
+                                    denoiser + " --demo " + (folder / "demo").string());
+        REQUIRE(outcome.exitCode == 0);
+        Errors errors;
+        double noisy = 0.0;
+        const char* text = outcome.output.c_str();
+        REQUIRE(std::sscanf(std::strstr(text, "ssim "), "ssim %lf %lf", &noisy, &errors.ssim) == 2);
+        REQUIRE(std::sscanf(std::strstr(text, "flip "), "flip %lf %lf", &noisy, &errors.flip) == 2);
+        return errors;
+    };
+    const Errors plain = measure("REBLUR_DIFFUSE_SPECULAR"), sh = measure("REBLUR_DIFFUSE_SPECULAR_SH");
+    CHECK(sh.flip < 0.95 * plain.flip);
+    CHECK(1.0 - sh.ssim < 0.6 * (1.0 - plain.ssim));
+}
+
+TEST_CASE("--set changes the picture", "[program]")
+{
+    const test::TemporaryFolder folder;
+    const auto picture = [&](const std::string& name, const std::string& options)
+    {
+        const std::string file = (folder / (name + ".exr")).string();
+        CHECK(run("--headless --scene bumps --size 40x24 --frames 3 --screenshot " + file + options).exitCode == 0);
+        return readText(file);
+    };
+    const std::string plain = picture("plain", "");
+    CHECK(picture("same", " --set maxBlurRadius=30") == plain);
+    CHECK(picture("reblur", " --set maxBlurRadius=2") != plain);
+    CHECK(picture("common", " --set splitScreen=1") != plain);
 }
 
 TEST_CASE("a run can be repeated to the last bit", "[program]")
@@ -119,6 +202,19 @@ TEST_CASE("bad arguments and broken files end in one sentence and exit code 1", 
     checkRefused(run("--headless " + triangle + " --environment " + (folder / "broken.hdr").string()), "broken.hdr");
     checkRefused(run("--headless --size 12"), "--size");
     checkRefused(run("--headless --denoiser MAGIC"), "--denoiser");
+    checkRefused(run("--headless --denoiser RELAX_DIFFUSE"), "REBLUR_DIFFUSE_SH");
+    checkRefused(run("--headless --lobes one"), "probabilistic");
+    checkRefused(run("--headless --checkerboard red"), "white");
+    checkRefused(run("--headless --checkerboard black --lobes probabilistic"), "--checkerboard");
+    checkRefused(run("--headless --scene rome"), "bumps");
+    checkRefused(run("--headless --scene bumps " + triangle), "--scene");
+    checkRefused(run("--headless --set maxBlurRadius"), "key=value");
+    checkRefused(run("--headless --set maxBlurRadius=wide"), "maxBlurRadius");
+    checkRefused(run("--headless --set noSuchSetting=1"), "noSuchSetting");
+    checkRefused(run("--headless --set checkerboardMode=BLACK"), "--checkerboard");
+    checkRefused(run("--headless --set maxBlurRadius=1 --denoiser NONE"), "--set");
+    checkRefused(run("--headless --size 16x16 --frames 1 --set maxBlurRadius=-1"), "maxBlurRadius");
+    checkRefused(run("--demo out --denoiser REBLUR_DIFFUSE_OCCLUSION"), "--demo");
     checkRefused(run("--headless --frames 0"), "--frames");
     checkRefused(run("--headless --screenshot a.jpg"), "a.jpg");
     checkRefused(run("--headless --reference-frames every-1"), "every-K");

@@ -1,0 +1,20 @@
+#include "built_in_scenes.h"
+#include "scene_bumps.h"
+#include "scene_cornell.h"
+
+namespace sample
+{
+namespace
+{
+constexpr BuiltInScene kScenes[] = {{"cornell", makeCornellBox}, {"bumps", makeBumps}};
+} // namespace
+
+std::span<const BuiltInScene> builtInScenes() { return kScenes; }
+
+const BuiltInScene* findBuiltInScene(std::string_view name)
+{
+    for (const BuiltInScene& scene : kScenes)
+        if (scene.name == name) return &scene;
+    return nullptr;
+}
+} // namespace sample

@@ -1,0 +1,145 @@
+#include "lobe_signal.h"
+
+#include "nrd_sample_shaders.h"
+#include "shaders/lobe_modes.h"
+
+namespace sample
+{
+namespace
+{
+using nrd::ResourceType;
+
+struct SlotRow
+{
+    LobeFormat format;
+    Lobe lobe;
+    ResourceType input;
+    ResourceType output;
+    VkFormat imageFormat;
+    uint32_t mode;
+};
+
+constexpr VkFormat kRgba16 = VK_FORMAT_R16G16B16A16_SFLOAT;
+constexpr VkFormat kR16 = VK_FORMAT_R16_SFLOAT;
+
+// clang-format off
+constexpr SlotRow kSlots[] = {
+    {LobeFormat::Radiance, Lobe::Diffuse,
+     ResourceType::IN_DIFF_RADIANCE_HITDIST, ResourceType::OUT_DIFF_RADIANCE_HITDIST, kRgba16, LOBE_RADIANCE},
+    {LobeFormat::Radiance, Lobe::Specular,
+     ResourceType::IN_SPEC_RADIANCE_HITDIST, ResourceType::OUT_SPEC_RADIANCE_HITDIST, kRgba16, LOBE_RADIANCE},
+    {LobeFormat::Sh, Lobe::Diffuse,  ResourceType::IN_DIFF_SH0, ResourceType::OUT_DIFF_SH0, kRgba16, LOBE_SH0},
+    {LobeFormat::Sh, Lobe::Diffuse,  ResourceType::IN_DIFF_SH1, ResourceType::OUT_DIFF_SH1, kRgba16, LOBE_SH1},
+    {LobeFormat::Sh, Lobe::Specular, ResourceType::IN_SPEC_SH0, ResourceType::OUT_SPEC_SH0, kRgba16, LOBE_SH0},
+    {LobeFormat::Sh, Lobe::Specular, ResourceType::IN_SPEC_SH1, ResourceType::OUT_SPEC_SH1, kRgba16, LOBE_SH1},
+    {LobeFormat::HitDistance, Lobe::Diffuse,
+     ResourceType::IN_DIFF_HITDIST, ResourceType::OUT_DIFF_HITDIST, kR16, LOBE_HIT_DISTANCE},
+    {LobeFormat::HitDistance, Lobe::Specular,
+     ResourceType::IN_SPEC_HITDIST, ResourceType::OUT_SPEC_HITDIST, kR16, LOBE_HIT_DISTANCE},
+    {LobeFormat::Direction, Lobe::Diffuse,
+     ResourceType::IN_DIFF_DIRECTION_HITDIST, ResourceType::OUT_DIFF_DIRECTION_HITDIST, kRgba16, LOBE_DIRECTION},
+};
+// clang-format on
+
+constexpr uint32_t kGroupSize = 8;
+
+// As in the shaders.
+struct PackConstants
+{
+    glm::vec4 hitDistanceParameters;
+    glm::uvec2 size;
+    uint32_t mode;
+    uint32_t isDiffuse;
+    uint32_t checkerboardMode;
+    uint32_t frameIndex;
+};
+
+struct UnpackConstants
+{
+    glm::uvec2 size;
+    uint32_t mode;
+    uint32_t isDiffuse;
+    float denoisingRange;
+};
+
+engine::ComputePipeline createPipeline(const engine::Device& device, Shader shader, uint32_t constantsByteSize)
+{
+    const ShaderBlob blob = shaderBlob(shader);
+    engine::ComputeDesc pipeline;
+    pipeline.name = blob.name;
+    pipeline.words = blob.words;
+    pipeline.byteSize = blob.byteSize;
+    pipeline.bindings.assign(4, VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE);
+    pipeline.bindings.push_back(VK_DESCRIPTOR_TYPE_STORAGE_IMAGE);
+    pipeline.pushConstantByteSize = constantsByteSize;
+    pipeline.setCount = 2;
+    return {device, pipeline};
+}
+
+template <class T> std::span<const std::byte> bytesOf(const T& value) { return std::as_bytes(std::span(&value, 1)); }
+} // namespace
+
+LobeSignal::LobeSignal(const engine::Device& device, const LobeSignalDesc& desc) : m_desc(desc)
+{
+    const auto create = [&](ResourceType type, VkFormat format) {
+        return engine::Image(device, {nrd::toString(type), desc.width, desc.height, format});
+    };
+    for (const SlotRow& row : kSlots)
+    {
+        if (row.format != desc.format || row.lobe != desc.lobe) continue;
+        m_inputs.push_back({row.input, row.mode, create(row.input, row.imageFormat)});
+        m_outputs.push_back({row.output, row.mode, create(row.output, row.imageFormat)});
+    }
+    m_values = engine::Image(device, {"unpacked lobe", desc.width, desc.height, VK_FORMAT_R32G32B32A32_SFLOAT});
+    m_pack = createPipeline(device, Shader::PackLobe, sizeof(PackConstants));
+    m_unpack = createPipeline(device, Shader::UnpackLobe, sizeof(UnpackConstants));
+}
+
+std::vector<SlotImage> LobeSignal::slots()
+{
+    std::vector<SlotImage> all;
+    for (std::vector<Slot>* list : {&m_inputs, &m_outputs})
+        for (Slot& slot : *list) all.emplace_back(slot.type, &slot.image);
+    return all;
+}
+
+void LobeSignal::recordPack(VkCommandBuffer cmd, FrameImages& frame, uint32_t frameIndex)
+{
+    const bool isDiffuse = m_desc.lobe == Lobe::Diffuse;
+    engine::Image& signal = isDiffuse ? frame.diffuse : frame.specular;
+    // Light has the direction it comes from, occlusion that of the ray whose distance it is.
+    const bool isLight = m_desc.format == LobeFormat::Sh;
+    engine::Image& direction = isDiffuse ? (isLight ? frame.diffuseOrigin : frame.diffuseDirection)
+                                         : (isLight ? frame.specularOrigin : frame.specularDirection);
+    for (engine::Image* in : {&frame.viewZ, &frame.normalRoughness, &signal, &direction})
+        transition(cmd, *in, engine::kSampled);
+    for (Slot& slot : m_inputs)
+    {
+        transition(cmd, slot.image, engine::kStorage);
+        if (!slot.set) slot.set = m_pack.createSet({frame.viewZ, frame.normalRoughness, signal, direction, slot.image});
+        const PackConstants constants = {glm::vec4(m_desc.hitDistanceParameters, 0.0f),
+                                         glm::uvec2(m_desc.width, m_desc.height),
+                                         slot.mode,
+                                         isDiffuse,
+                                         static_cast<uint32_t>(m_desc.checkerboard),
+                                         frameIndex};
+        m_pack.dispatch(
+            cmd, slot.set, bytesOf(constants),
+            {engine::groupCount(m_desc.width, kGroupSize), engine::groupCount(m_desc.height, kGroupSize), 1});
+    }
+}
+
+void LobeSignal::recordUnpack(VkCommandBuffer cmd, FrameImages& frame, float denoisingRange)
+{
+    for (engine::Image* in : {&frame.viewZ, &frame.normalRoughness, &m_outputs.front().image, &m_outputs.back().image})
+        transition(cmd, *in, engine::kSampled);
+    transition(cmd, m_values, engine::kStorage);
+    if (!m_unpackSet)
+        m_unpackSet = m_unpack.createSet(
+            {frame.viewZ, frame.normalRoughness, m_outputs.front().image, m_outputs.back().image, m_values});
+    const UnpackConstants constants = {glm::uvec2(m_desc.width, m_desc.height), m_outputs.front().mode,
+                                       m_desc.lobe == Lobe::Diffuse, denoisingRange};
+    m_unpack.dispatch(cmd, m_unpackSet, bytesOf(constants),
+                      {engine::groupCount(m_desc.width, kGroupSize), engine::groupCount(m_desc.height, kGroupSize), 1});
+}
+} // namespace sample

@@ -1,0 +1,53 @@
+// One lobe on its way through the denoiser: packed into input slots, and unpacked from output slots.
+#pragma once
+#include "path_tracer.h"
+#include "sample_denoisers.h"
+
+#include <nrd/types.h>
+
+#include <optional>
+
+namespace sample
+{
+/// A slot of the user pool with its image.
+using SlotImage = std::pair<nrd::ResourceType, engine::Image*>;
+
+struct LobeSignalDesc
+{
+    Lobe lobe = Lobe::Diffuse;
+    LobeFormat format = LobeFormat::Radiance; // not None
+    uint32_t width = 0;                       // pixels, as the tracer's
+    uint32_t height = 0;
+    glm::vec3 hitDistanceParameters = glm::vec3(3.0f, 0.1f, 20.0f); // as the tracer's and the denoiser's
+    nrd::CheckerboardMode checkerboard = nrd::CheckerboardMode::OFF;
+};
+
+class LobeSignal
+{
+public:
+    LobeSignal(const engine::Device& device, const LobeSignalDesc& desc);
+
+    /// Fills the input slots; the frame's images end in sampled state. They must be the same ones in every call.
+    void recordPack(VkCommandBuffer cmd, FrameImages& frame, uint32_t frameIndex);
+    /// Fills values() from the output slots, which the denoiser has written.
+    void recordUnpack(VkCommandBuffer cmd, FrameImages& frame, float denoisingRange);
+
+    /// Input and output slots.
+    std::vector<SlotImage> slots();
+    engine::Image& values() { return m_values; } // RGBA32F: linear radiance, normalised hit distance; sky: 0, 0, 0, 1
+
+private:
+    struct Slot
+    {
+        nrd::ResourceType type;
+        uint32_t mode; // LOBE_...
+        engine::Image image;
+        VkDescriptorSet set = VK_NULL_HANDLE; // of packing
+    };
+    LobeSignalDesc m_desc;
+    std::vector<Slot> m_inputs, m_outputs; // one or, with SH, two
+    engine::Image m_values;
+    engine::ComputePipeline m_pack, m_unpack;
+    VkDescriptorSet m_unpackSet = VK_NULL_HANDLE;
+};
+} // namespace sample

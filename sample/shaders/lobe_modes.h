@@ -1,0 +1,11 @@
+// What the shaders do with an image of a lobe; read by C++ and GLSL.
+#ifndef LOBE_MODES_H
+#define LOBE_MODES_H
+
+#define LOBE_RADIANCE 0      // radiance, normalised hit distance
+#define LOBE_SH0 1           // the same; unpacked, it takes SH1 too
+#define LOBE_SH1 2           // direction of the first bounce, weighted
+#define LOBE_HIT_DISTANCE 3  // normalised hit distance alone
+#define LOBE_DIRECTION 4     // direction of the first bounce and normalised hit distance
+
+#endif
