@@ -7,9 +7,9 @@ namespace
 using Common = nrd::CommonSettings;
 
 const Option kSettings[] = {
-    {"defaults", [](Setup&) {}},
-    {"checkerboard black", [](Setup& s) { s.settings.checkerboardMode = nrd::CheckerboardMode::BLACK; }},
-    {"checkerboard white", [](Setup& s) { s.settings.checkerboardMode = nrd::CheckerboardMode::WHITE; }},
+    {"defaults", [](Setup&) {}, true},
+    {"checkerboard black", [](Setup& s) { s.settings.checkerboardMode = nrd::CheckerboardMode::BLACK; }, true},
+    {"checkerboard white", [](Setup& s) { s.settings.checkerboardMode = nrd::CheckerboardMode::WHITE; }, true},
     {"reconstruction 3x3",
      [](Setup& s)
      {
@@ -21,14 +21,16 @@ const Option kSettings[] = {
      {
          s.settings.hitDistanceReconstructionMode = nrd::HitDistanceReconstructionMode::AREA_5X5;
          s.isHalfMissing = true;
-     }},
+     },
+     true},
     {"checkerboard with reconstruction",
      [](Setup& s)
      {
          s.settings.checkerboardMode = nrd::CheckerboardMode::BLACK;
          s.settings.hitDistanceReconstructionMode = nrd::HitDistanceReconstructionMode::AREA_5X5;
          s.isHalfMissing = true;
-     }},
+     },
+     true},
     {"responsive accumulation", [](Setup& s) { s.settings.responsiveAccumulationSettings.roughnessThreshold = 0.5f; }},
     {"reference accumulation", [](Setup& s) { s.settings.enableReferenceAccumulation = true; }},
     {"pre-pass for tracking only", [](Setup& s) { s.settings.usePrepassOnlyForSpecularMotionEstimation = true; }},
@@ -40,6 +42,13 @@ const Option kSettings[] = {
     {"no fast clamp", [](Setup& s) { s.settings.maxFastAccumulatedFrameNum = 63; }},
     {"no history", [](Setup& s) { s.settings.maxAccumulatedFrameNum = 0; }},
     {"no history fix", [](Setup& s) { s.settings.historyFixFrameNum = 0; }},
+    {"broken samples", [](Setup& s) { s.isBroken = true; }},
+    {"broken samples without pre-pass",
+     [](Setup& s)
+     {
+         s.isBroken = true;
+         s.settings.diffusePrepassBlurRadius = s.settings.specularPrepassBlurRadius = 0.0f;
+     }},
     {"materials",
      [](Setup& s)
      {
@@ -70,7 +79,7 @@ const Option kFrames[] = {
          s.hasMaterials = true;
          s.changeCommon = [](Common& common, int) { common.historyFixAlternatePixelStrideMaterialID = 1; };
      }},
-    {"split screen 0.5", [](Setup& s) { s.changeCommon = [](Common& common, int) { common.splitScreen = 0.5f; }; }},
+    {"split screen 0.5", [](Setup& s) { s.changeCommon = [](Common& common, int) { common.splitScreen = 0.5f; }; }, true},
     {"split screen 1", [](Setup& s) { s.changeCommon = [](Common& common, int) { common.splitScreen = 1.0f; }; }},
     {"restart in the middle",
      [](Setup& s)
@@ -81,7 +90,7 @@ const Option kFrames[] = {
     {"no cut detection",
      [](Setup& s) { s.changeCommon = [](Common& common, int) { common.enableCutDetection = false; }; }},
     {"centimetres", [](Setup& s) { s.unitsPerMeter = 100.0f; }},
-    {"half resolution", [](Setup& s) { s.resolutionDivisor = 2; }},
+    {"half resolution", [](Setup& s) { s.resolutionDivisor = 2; }, true},
 };
 
 const Option kInputs[] = {
@@ -91,8 +100,9 @@ const Option kInputs[] = {
      {
          s.rect = glm::max(s.size * 3 / 4, glm::ivec2(1));
          s.origin = s.size - s.rect;
-     }},
-    {"dynamic resolution", [](Setup& s) { s.isRectVarying = true; }},
+     },
+     true},
+    {"dynamic resolution", [](Setup& s) { s.isRectVarying = true; }, true},
     {"reversed depth", [](Setup& s) { s.projection = Projection::Reversed; }},
     {"infinite depth", [](Setup& s) { s.projection = Projection::Infinite; }},
     {"reversed infinite depth", [](Setup& s) { s.projection = Projection::ReversedInfinite; }},
@@ -125,7 +135,7 @@ const Option kInputs[] = {
          s.motionFactor = 128.0f;
          s.sceneVelocity = {0.25f, 0.0f, 0.125f};
      }},
-    {"jitter", [](Setup& s) { s.isJittered = true; }},
+    {"jitter", [](Setup& s) { s.isJittered = true; }, true},
 };
 } // namespace
 

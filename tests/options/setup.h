@@ -53,6 +53,7 @@ struct Setup
 
     float mean = 1.0f;            // luma of the signals
     bool isHalfMissing = false;   // half of the pixels have no sample of a lobe; the others count twice
+    bool isBroken = false;      // one sample in sixteen is no number
     std::optional<float> confidence, thresholdMix;
     bool hasMaterials = false; // ID 1 right of the world's x = 0
 

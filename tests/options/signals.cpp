@@ -93,6 +93,13 @@ glm::vec4 encode(Slot input, const Sample& s)
     return radiance(s.luma, s.hitDist);
 }
 
+glm::vec4 asStored(rhi::Format format, glm::vec4 value)
+{
+    uint8_t texel[16] = {};
+    test::encodeTexel(format, value, texel);
+    return test::decodeTexel(format, texel);
+}
+
 // Two pixels share a texel of a checkerboard, and one of them has data.
 Plane packCheckerboard(const Setup& setup, const Frame& frame, Slot input, int frameIndex)
 {
@@ -105,7 +112,9 @@ Plane packCheckerboard(const Setup& setup, const Frame& frame, Slot input, int f
         {
             if (!hasData(setup.settings, kind.isSpecular, {x, y}, frameIndex) || !frame.isInRange(x, y)) continue;
             const bool isPacked = setup.settings.checkerboardMode != nrd::CheckerboardMode::OFF;
-            plane[frame.texel(isPacked ? x / 2 : x, y)] = noisy[frame.pixel(x, y)];
+            const bool isBroken = setup.isBroken && (x * 7 + y * 3 + frameIndex) % 16 == 0;
+            plane[frame.texel(isPacked ? x / 2 : x, y)] =
+                isBroken ? poisonOf(frame.formats.at(input)) : noisy[frame.pixel(x, y)];
         }
     }
     return plane;
@@ -130,7 +139,7 @@ void addSignal(const Setup& setup, Frame& frame, Slot slot, int frameIndex)
         for (int x = 0; x < frame.rect.x; x++)
         {
             const float mean = setup.meanAt ? setup.meanAt(x, frame.rect.x) : setup.mean;
-            noisy.push_back(encode(slot, source.next(mean)));
+            noisy.push_back(asStored(frame.formats.at(slot), encode(slot, source.next(mean))));
             means.push_back(encode(slot, {mean, kHitDistMean, kOcclusionMean, kDirectionMean}));
         }
     }

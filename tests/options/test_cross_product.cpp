@@ -11,7 +11,7 @@ using namespace options;
 namespace
 {
 constexpr glm::ivec2 kLarge{127, 63}, kOdd{17, 9};
-constexpr int kLargeFrames = 6, kSmallFrames = 3;
+constexpr int kLargeFrames = 4, kSmallFrames = 3;
 
 // Ratios of the denoised picture's error to the noisy one's.
 struct Tally
@@ -37,17 +37,17 @@ void checkFrame(const Result& result, int frame)
     if (frame > 0) CHECK(countStray(result) == 0); // the first use clears the outputs
 }
 
-// As the input for the option that shows the input.
 void checkError(const Result& last, const Option& option, Tally& tally)
 {
     const bool isInput = std::string(option.name) == "split screen 1";
+    const bool isPartlyInput = std::string(option.name) == "split screen 0.5";
     for (const auto& [slot, plane] : last.outputs)
     {
         const double ratio = signalError(last, slot) / noisyError(last, slot);
         INFO(nrd::toString(slot) << ": " << ratio << " of the input's error");
         if (isInput) CHECK(ratio == Approx(1.0).epsilon(1e-3));
         else CHECK(ratio < 1.0);
-        if (!isInput) tally.add(ratio, option.name);
+        if (!isInput && !isPartlyInput) tally.add(ratio, option.name);
     }
 }
 
@@ -98,7 +98,10 @@ TEST_CASE("every denoiser denoises with every option at every size", "[gpu]")
         Tally tally;
         Runner runner(denoiser);
         for (const Option& option : allOptions())
-            for (const glm::ivec2 size : {kOdd, kLarge}) runOption(runner, makeSetup(denoiser, size), option, tally);
+        {
+            if (option.isOfShape) runOption(runner, makeSetup(denoiser, kOdd), option, tally);
+            runOption(runner, makeSetup(denoiser, kLarge), option, tally);
+        }
         for (const glm::ivec2 size : {glm::ivec2(1, 1), glm::ivec2(3, 5)})
             runOption(runner, makeSetup(denoiser, size), allOptions()[0], tally);
         const uint32_t pipelines = runner.pipelineCount();
