@@ -85,7 +85,7 @@ const Option kFrames[] = {
      [](Setup& s)
      {
          s.changeCommon = [](Common& common, int frame)
-         { common.accumulationMode = frame == 2 ? nrd::AccumulationMode::RESTART : nrd::AccumulationMode::CONTINUE; };
+         { common.accumulationMode = frame == 1 ? nrd::AccumulationMode::RESTART : nrd::AccumulationMode::CONTINUE; };
      }},
     {"no cut detection",
      [](Setup& s) { s.changeCommon = [](Common& common, int) { common.enableCutDetection = false; }; }},

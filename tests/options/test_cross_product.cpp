@@ -11,7 +11,7 @@ using namespace options;
 namespace
 {
 constexpr glm::ivec2 kLarge{127, 63}, kOdd{17, 9};
-constexpr int kLargeFrames = 4, kSmallFrames = 3;
+constexpr int kLargeFrames = 3, kSmallFrames = 2;
 
 // Ratios of the denoised picture's error to the noisy one's.
 struct Tally
