@@ -133,10 +133,7 @@ struct GuideMaker
     }
 };
 
-bool isGuide(Slot slot)
-{
-    return slot == Slot::IN_VIEWZ || slot == Slot::IN_NORMAL_ROUGHNESS || slot == Slot::IN_MV;
-}
+bool isGuide(Slot slot) { return slot == Slot::IN_VIEWZ || slot == Slot::IN_NORMAL_ROUGHNESS || slot == Slot::IN_MV; }
 
 void addGuide(const GuideMaker& maker, Slot slot)
 {
@@ -145,8 +142,7 @@ void addGuide(const GuideMaker& maker, Slot slot)
     Plane& plane = frame.inputs[slot];
     plane.assign(static_cast<size_t>(frame.size.x * frame.size.y), poisonOf(frame.formats[slot]));
     for (int y = 0; y < frame.rect.y; y++)
-        for (int x = 0; x < frame.rect.x; x++)
-            plane[frame.texel(origin.x + x, origin.y + y)] = maker.texel(slot, x, y);
+        for (int x = 0; x < frame.rect.x; x++) plane[frame.texel(origin.x + x, origin.y + y)] = maker.texel(slot, x, y);
 }
 
 std::optional<float> findConstant(const Setup& setup, Slot slot)
@@ -185,10 +181,12 @@ Frame makeFrame(const Setup& setup, const std::vector<nrd::ResourceRequirement>&
         if (!need.isRequired) continue;
         frame.formats[need.type] = formatOf(need, setup);
         const std::optional<float> constant = findConstant(setup, need.type);
-        if (isGuide(need.type)) addGuide(maker, need.type);
+        if (isGuide(need.type))
+            addGuide(maker, need.type);
         else if (constant)
             frame.inputs[need.type].assign(static_cast<size_t>(frame.size.x * frame.size.y), glm::vec4(*constant));
-        else if (!isOutput(need.type)) addSignal(setup, frame, need.type, frameIndex);
+        else if (!isOutput(need.type))
+            addSignal(setup, frame, need.type, frameIndex);
     }
     return frame;
 }

@@ -13,16 +13,16 @@ glm::vec4 poisonOf(rhi::Format format);
 
 struct Frame
 {
-    glm::ivec2 size{0}; // of the images
-    glm::ivec2 rect{0}; // the active part, outputs at its place
+    glm::ivec2 size{0};     // of the images
+    glm::ivec2 rect{0};     // the active part, outputs at its place
     quality::Guides guides; // of the rectangle
     std::map<nrd::ResourceType, rhi::Format> formats;
     std::map<nrd::ResourceType, Plane> inputs; // `size`
     std::map<nrd::ResourceType, Plane> noisy;  // `rect`, by output slot: what the noisy input says of each pixel
     std::map<nrd::ResourceType, Plane> means;  // `rect`, by output slot: what denoising should find
 
-    size_t texel(int x, int y) const { return static_cast<size_t>(y) * static_cast<size_t>(size.x) + static_cast<size_t>(x); }
-    size_t pixel(int x, int y) const { return static_cast<size_t>(y) * static_cast<size_t>(rect.x) + static_cast<size_t>(x); }
+    size_t texel(int x, int y) const { return static_cast<size_t>(y * size.x + x); }
+    size_t pixel(int x, int y) const { return static_cast<size_t>(y * rect.x + x); }
     bool isInRange(int x, int y) const { return std::abs(guides.viewZ[pixel(x, y)]) < quality::kDenoisingRange; }
 };
 

@@ -79,7 +79,8 @@ const Option kFrames[] = {
          s.hasMaterials = true;
          s.changeCommon = [](Common& common, int) { common.historyFixAlternatePixelStrideMaterialID = 1; };
      }},
-    {"split screen 0.5", [](Setup& s) { s.changeCommon = [](Common& common, int) { common.splitScreen = 0.5f; }; }, true},
+    {"split screen 0.5", [](Setup& s) { s.changeCommon = [](Common& common, int) { common.splitScreen = 0.5f; }; },
+     true},
     {"split screen 1", [](Setup& s) { s.changeCommon = [](Common& common, int) { common.splitScreen = 1.0f; }; }},
     {"restart in the middle",
      [](Setup& s)

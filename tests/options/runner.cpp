@@ -90,8 +90,10 @@ void Runner::Impl::record(rhi::CommandBuffer& commands, Frame& frame)
     {
         test::Image& image = imageOf(slot, frame);
         const bool isWritten = isOutput(slot);
-        if (isWritten) image.fill(storedPoison(format));
-        else image.fill(frame.inputs.at(slot));
+        if (isWritten)
+            image.fill(storedPoison(format));
+        else
+            image.fill(frame.inputs.at(slot));
         image.upload(commands);
         image.transition(commands, isWritten ? rhi::states::kStorageWrite : rhi::states::kSampled);
         nrd::NrdUserImage& entry = pool[slot];

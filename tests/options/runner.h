@@ -9,7 +9,7 @@ namespace options
 struct Result
 {
     Frame frame;
-    std::map<nrd::ResourceType, Plane> outputs; // `frame.size`
+    std::map<nrd::ResourceType, Plane> outputs;    // `frame.size`
     std::map<nrd::ResourceType, glm::vec4> poison; // what each output image held before
 };
 

@@ -79,8 +79,8 @@ glm::ivec2 pixelsOf(const Setup& setup, int frame)
 View makeView(const Setup& setup, int frame)
 {
     View view;
-    view.camera = setup.camera ? setup.camera(frame)
-                               : quality::makeCamera(frame, setup.speed, setup.rect.x, setup.rect.y);
+    view.camera =
+        setup.camera ? setup.camera(frame) : quality::makeCamera(frame, setup.speed, setup.rect.x, setup.rect.y);
     const float aspect = static_cast<float>(setup.rect.x) / static_cast<float>(setup.rect.y);
     view.camera.viewToClip = makeProjection(setup.projection, aspect);
     if (setup.isJittered) view.jitter = jitterOf(frame);

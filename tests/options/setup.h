@@ -46,13 +46,13 @@ struct Setup
     float unitsPerMeter = 1.0f;
 
     MotionKind motion = MotionKind::World;
-    float motionFactor = 1.0f;         // what IN_MV holds per unit, or per pixel
-    glm::vec3 sceneVelocity{0.0f};     // metres a frame; the camera goes along
-    float speed = 0.05f;               // of quality::makeCamera()
+    float motionFactor = 1.0f;     // what IN_MV holds per unit, or per pixel
+    glm::vec3 sceneVelocity{0.0f}; // metres a frame; the camera goes along
+    float speed = 0.05f;           // of quality::makeCamera()
     bool isJittered = false;
 
-    float mean = 1.0f;            // luma of the signals
-    bool isHalfMissing = false;   // half of the pixels have no sample of a lobe; the others count twice
+    float mean = 1.0f;          // luma of the signals
+    bool isHalfMissing = false; // half of the pixels have no sample of a lobe; the others count twice
     bool isBroken = false;      // one sample in sixteen is no number
     std::optional<float> confidence, thresholdMix;
     bool hasMaterials = false; // ID 1 right of the world's x = 0
@@ -72,8 +72,8 @@ struct View
     glm::mat4 worldToView{1.0f};
 };
 
-glm::ivec2 rectOf(const Setup& setup, int frame);    // of the full resolution
-glm::ivec2 pixelsOf(const Setup& setup, int frame);  // of the denoiser
+glm::ivec2 rectOf(const Setup& setup, int frame);   // of the full resolution
+glm::ivec2 pixelsOf(const Setup& setup, int frame); // of the denoiser
 View makeView(const Setup& setup, int frame);
 quality::Guides renderView(const Setup& setup, const View& view, int frame);
 nrd::CommonSettings makeCommon(const Setup& setup, int frame, bool isFirst);

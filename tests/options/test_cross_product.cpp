@@ -45,8 +45,10 @@ void checkError(const Result& last, const Option& option, Tally& tally)
     {
         const double ratio = signalError(last, slot) / noisyError(last, slot);
         INFO(nrd::toString(slot) << ": " << ratio << " of the input's error");
-        if (isInput) CHECK(ratio == Approx(1.0).epsilon(1e-3));
-        else CHECK(ratio < 1.0);
+        if (isInput)
+            CHECK(ratio == Approx(1.0).epsilon(1e-3));
+        else
+            CHECK(ratio < 1.0);
         if (!isInput && !isPartlyInput) tally.add(ratio, option.name);
     }
 }

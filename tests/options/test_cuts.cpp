@@ -10,8 +10,8 @@ using namespace options;
 
 namespace
 {
-constexpr glm::ivec2 kSize{96, 64};
-constexpr int kCutFrame = 5, kFramesAfter = 3;
+constexpr glm::ivec2 kSize{64, 48};
+constexpr int kCutFrame = 4, kFramesAfter = 3;
 constexpr float kBrightBefore = 50.0f; // so that a leak is seen
 
 quality::Camera lookFrom(glm::vec3 position, float degrees)
@@ -19,7 +19,8 @@ quality::Camera lookFrom(glm::vec3 position, float degrees)
     const float angle = glm::radians(degrees);
     quality::Camera camera;
     camera.position = position;
-    camera.worldToView = glm::lookAtLH(position, position + glm::vec3(std::sin(angle), -0.1f, std::cos(angle)), {0, 1, 0});
+    camera.worldToView =
+        glm::lookAtLH(position, position + glm::vec3(std::sin(angle), -0.1f, std::cos(angle)), {0, 1, 0});
     return camera;
 }
 

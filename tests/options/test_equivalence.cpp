@@ -34,7 +34,9 @@ void takeStatic(Setup& s) { s.speed = 0.0f; }
 
 const Pair kExact[] = {
     {"rectangle with and without origin",
-     [](Setup& s) { s.rect = {48, 24}; },
+     [](Setup& s) {
+         s.rect = {48, 24};
+     },
      [](Setup& s)
      {
          s.rect = {48, 24};

@@ -78,8 +78,7 @@ Setup incompleteSetup(nrd::Denoiser denoiser, const Incomplete& kind)
     Setup setup = preciseSetup(denoiser);
     setup.settings.checkerboardMode = kind.checkerboard;
     setup.isHalfMissing = kind.isHalfMissing;
-    if (kind.isHalfMissing)
-        setup.settings.hitDistanceReconstructionMode = nrd::HitDistanceReconstructionMode::AREA_5X5;
+    if (kind.isHalfMissing) setup.settings.hitDistanceReconstructionMode = nrd::HitDistanceReconstructionMode::AREA_5X5;
     return setup;
 }
 
@@ -167,7 +166,8 @@ TEST_CASE("a confidence of 0 leaves next to no history", "[gpu]")
             float length = 0.0f;
             for (const auto& [slot, plane] : last.outputs)
                 if (!isDirections(slot))
-                    forEachPixel(last.frame, [&, &plane = plane](size_t, size_t i) { length = std::max(length, plane[i].w); });
+                    forEachPixel(last.frame,
+                                 [&, &plane = plane](size_t, size_t i) { length = std::max(length, plane[i].w); });
             return length;
         };
         CHECK(longest() == 7.0f);
