@@ -92,14 +92,22 @@ Image readImage(const std::filesystem::path& file)
 
 void writePng(const std::filesystem::path& file, const Image& linear)
 {
-    const size_t pixelCount = static_cast<size_t>(linear.width) * static_cast<size_t>(linear.height);
+    Image encoded = linear;
+    for (float& value : encoded.rgba) value = toneMap(value);
+    writeEncodedPng(file, encoded);
+}
+
+void writeEncodedPng(const std::filesystem::path& file, const Image& encoded)
+{
+    const size_t pixelCount = static_cast<size_t>(encoded.width) * static_cast<size_t>(encoded.height);
     std::vector<uint8_t> rgb(pixelCount * 3);
     for (size_t i = 0; i < pixelCount; i++)
-    {
         for (size_t c = 0; c < 3; c++)
-            rgb[i * 3 + c] = static_cast<uint8_t>(toneMap(linear.rgba[i * 4 + c]) * 255.0f + 0.5f);
-    }
-    if (!stbi_write_png(file.c_str(), linear.width, linear.height, 3, rgb.data(), linear.width * 3))
+        {
+            const float value = encoded.rgba[i * 4 + c];
+            rgb[i * 3 + c] = static_cast<uint8_t>(value > 0.0f ? std::min(value, 1.0f) * 255.0f + 0.5f : 0.0f);
+        }
+    if (!stbi_write_png(file.c_str(), encoded.width, encoded.height, 3, rgb.data(), encoded.width * 3))
         throw FileError(file.string() + " cannot be written");
 }
 } // namespace sample

@@ -40,4 +40,7 @@ Image readImage(const std::filesystem::path& file);
 
 // Writes the tone-mapped RGB of a linear picture as an 8-bit PNG. Throws FileError when it cannot be written.
 void writePng(const std::filesystem::path& file, const Image& linear);
+
+// The same for RGB in [0; 1] that is encoded for the screen already.
+void writeEncodedPng(const std::filesystem::path& file, const Image& encoded);
 } // namespace sample

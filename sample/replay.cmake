@@ -35,7 +35,10 @@ nrd_add_shader(ReplayPack shaders/replay_pack.comp.glsl)
 nrd_add_shader(ReplayUnpack shaders/replay_unpack.comp.glsl)
 nrd_end_shader_library()
 
-add_executable(nrd-replay replay_gpu.cpp replay_main.cpp replay_slots.cpp)
+# And what needs Vulkan.
+add_library(nrd_replay_gpu STATIC replay_doctor.cpp replay_gpu.cpp replay_packing.cpp replay_slots.cpp)
+target_link_libraries(nrd_replay_gpu PUBLIC nrd_replay nrd_engine nrd::integration PRIVATE replay_shaders nrd_warnings)
+
+add_executable(nrd-replay replay_main.cpp)
 target_compile_definitions(nrd-replay PRIVATE NRD_TEST_DATA="${NRD_TEST_DATA}")
-target_link_libraries(nrd-replay PRIVATE nrd_replay nrd_engine nrd::integration replay_shaders CLI11::CLI11
-    nrd_warnings)
+target_link_libraries(nrd-replay PRIVATE nrd_replay_gpu CLI11::CLI11 nrd_warnings)

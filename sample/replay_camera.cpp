@@ -19,6 +19,13 @@ std::array<double, 3> cameraPositionOf(const Matrix& worldToView)
     return position;
 }
 
+std::array<double, 4> frustumOf(const Matrix& viewToClip)
+{
+    // ndc.x = (m0 x + m8 z) / (m11 z), solved for x / z.
+    const Matrix& m = viewToClip;
+    return {(-m[11] - m[8]) / m[0], (m[11] - m[9]) / m[5], 2.0 * m[11] / m[0], -2.0 * m[11] / m[5]};
+}
+
 nrd::CommonSettings commonSettingsOf(const CaptureInfo& info, size_t frameIndex)
 {
     const CaptureFrame& now = info.frames.at(frameIndex);
@@ -45,6 +52,7 @@ nrd::CommonSettings commonSettingsOf(const CaptureInfo& info, size_t frameIndex)
         settings.resourceSize[i] = settings.resourceSizePrev[i] = size;
         settings.rectSize[i] = settings.rectSizePrev[i] = size;
     }
+    settings.metersToUnits = static_cast<float>(1.0 / info.metersPerUnit);
     settings.timeDeltaBetweenFrames = static_cast<float>(now.deltaTimeMs);
     settings.denoisingRange = static_cast<float>(info.denoisingRange);
     settings.frameIndex = static_cast<uint32_t>(frameIndex);
@@ -55,7 +63,7 @@ nrd::CommonSettings commonSettingsOf(const CaptureInfo& info, size_t frameIndex)
 nrd::HitDistanceParameters hitDistanceParametersOf(const CaptureInfo& info)
 {
     nrd::HitDistanceParameters parameters;
-    parameters.A = static_cast<float>(info.hitDistanceParameters[0]);
+    parameters.A = static_cast<float>(info.hitDistanceParameters[0] * info.metersPerUnit);
     parameters.B = static_cast<float>(info.hitDistanceParameters[1]);
     parameters.C = static_cast<float>(info.hitDistanceParameters[2]);
     return parameters;

@@ -1,6 +1,6 @@
 #include "replay_gpu.h"
 #include "replay_camera.h"
-#include "replay_shaders.h"
+#include "shaders/replay_modes.h"
 
 #include "engine/commands.h"
 #include "engine/transfer.h"
@@ -13,42 +13,6 @@ namespace sample
 namespace
 {
 constexpr nrd::Identifier kIdentifier = 0;
-constexpr uint32_t kGroupSize = 8;
-
-// Push constants of replay_pack.comp.glsl and replay_unpack.comp.glsl.
-struct PackConstants
-{
-    float hitDistanceParameters[4];
-    uint32_t mode;
-    uint32_t isDiffuse;
-    uint32_t size[2];
-};
-struct UnpackConstants
-{
-    uint32_t size[2];
-    uint32_t mode;
-};
-
-engine::ComputePipeline makePipeline(const engine::Device& device, replay::Shader shader, size_t sampledCount,
-                                     uint32_t constantsByteSize)
-{
-    const replay::ShaderBlob blob = replay::shaderBlob(shader);
-    engine::ComputeDesc desc;
-    desc.name = blob.name;
-    desc.words = blob.words;
-    desc.byteSize = blob.byteSize;
-    desc.pushConstantByteSize = constantsByteSize;
-    desc.setCount = nrd::NrdUserPool::kSlotsNum;
-    desc.bindings.assign(sampledCount, VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE);
-    desc.bindings.push_back(VK_DESCRIPTOR_TYPE_STORAGE_IMAGE);
-    return {device, desc};
-}
-
-template <class T> std::span<const std::byte> bytesOf(const T& value) { return std::as_bytes(std::span(&value, 1)); }
-
-nrd::NrdImageState toNrd(const engine::ImageState& state) { return {state.layout, state.access, state.stage}; }
-
-engine::ImageState fromNrd(const nrd::NrdImageState& state) { return {state.layout, state.access, state.stages}; }
 
 double median(std::vector<double> values)
 {
@@ -57,10 +21,35 @@ double median(std::vector<double> values)
     const size_t half = values.size() / 2;
     return values.size() % 2 ? values[half] : 0.5 * (values[half - 1] + values[half]);
 }
+uint32_t unpackMode(ShResolve resolve)
+{
+    switch (resolve)
+    {
+    case ShResolve::SphericalGaussians:
+        return REPLAY_UNPACK_REBLUR_RESOLVE_SG;
+    case ShResolve::Restore:
+        return REPLAY_UNPACK_REBLUR_RESTORE;
+    case ShResolve::SphericalHarmonics:
+        return REPLAY_UNPACK_REBLUR_RESOLVE_SH;
+    case ShResolve::None:
+        break;
+    }
+    return REPLAY_UNPACK_REBLUR_EXTRACT;
+}
+
+// Colours are in .xyz, with alpha in .xyzw, scalars in .w of four floats per pixel; what the mask leaves out is `sky`.
+Picture pictureOf(const std::vector<float>& values, const Mask& surface, const Picture& like, float sky)
+{
+    Picture picture = like;
+    const size_t first = picture.planes.size() == 1 ? 3 : 0;
+    for (size_t c = 0; c < picture.planes.size(); c++)
+        for (size_t i = 0; i < picture.pixelCount(); i++)
+            picture.planes[c][i] = counts(surface, i) ? values[i * 4 + first + c] : sky;
+    return picture;
+}
 } // namespace
 
-ReplayGpu::ReplayGpu(const ReplayGpuDesc& desc)
-    : m_info(desc.capture.info()), m_denoiser(desc.denoiser), m_assignments(desc.settings)
+ReplayGpu::ReplayGpu(const ReplayGpuDesc& desc) : m_desc(desc), m_info(desc.capture.info()), m_denoiser(desc.denoiser)
 {
     (void)settingsOfFrame(); // wrong settings are told before anything is created
     const nrd::LibraryDesc& library = nrd::GetLibraryDesc();
@@ -74,9 +63,8 @@ ReplayGpu::ReplayGpu(const ReplayGpuDesc& desc)
     deviceDesc.features = required.features;
     deviceDesc.extensions.assign(required.deviceExtensions, required.deviceExtensions + required.deviceExtensionsNum);
     m_device = std::make_unique<engine::Device>(deviceDesc);
-    createPipelines();
-    createIntegration(desc);
-    createSlots(desc);
+    m_packing = ReplayPacking(*m_device);
+    createIntegration();
 }
 
 ReplayGpu::~ReplayGpu() { m_device->waitIdle(); }
@@ -87,13 +75,7 @@ void ReplayGpu::check(nrd::Result result, const char* action) const
         throw engine::Error(std::string("cannot ") + action + ": " + m_integration.GetLastMessage());
 }
 
-void ReplayGpu::createPipelines()
-{
-    m_pack = makePipeline(*m_device, replay::Shader::ReplayPack, 3, sizeof(PackConstants));
-    m_unpack = makePipeline(*m_device, replay::Shader::ReplayUnpack, 1, sizeof(UnpackConstants));
-}
-
-void ReplayGpu::createIntegration(const ReplayGpuDesc& desc)
+void ReplayGpu::createIntegration()
 {
     nrd::IntegrationCreationDesc creation;
     creation.native.instance = m_device->instance();
@@ -106,12 +88,11 @@ void ReplayGpu::createIntegration(const ReplayGpuDesc& desc)
     creation.resourceHeight = static_cast<uint16_t>(m_info.height);
     creation.framesInFlight = 1; // every frame is waited for
     creation.isGpuTimingEnabled = true;
-    const nrd::DenoiserDesc denoiser{kIdentifier, desc.denoiser.denoiser};
+    const nrd::DenoiserDesc denoiser{kIdentifier, m_denoiser.denoiser};
     nrd::InstanceCreationDesc instance;
     instance.denoisers = &denoiser;
     instance.denoisersNum = 1;
     check(m_integration.Create(creation, instance), "create the denoiser");
-    // What the denoiser asks of the pool may depend on its settings.
     const ReplaySettings settings = settingsOfFrame();
     if (m_denoiser.family == Family::Reblur)
         check(m_integration.SetDenoiserSettings(kIdentifier, settings.reblur), "set the denoiser's settings");
@@ -128,37 +109,92 @@ engine::Image& ReplayGpu::layerImage(Layer layer)
     return image;
 }
 
-void ReplayGpu::createSlots(const ReplayGpuDesc& desc)
+engine::Image& ReplayGpu::slotImage(nrd::ResourceType type)
+{
+    for (Slot& slot : m_slots)
+        if (slot.row.type == type) return slot.image;
+    throw engine::Error(std::string(m_denoiser.name) + " has no " + nrd::toString(type));
+}
+
+// Once all settings are set, on which it depends what the denoiser needs.
+void ReplayGpu::createSlots()
 {
     const nrd::ResourceRequirement* requirements = nullptr;
     uint32_t count = 0;
     if (nrd::GetRequiredResources(*m_integration.GetInstance(), kIdentifier, requirements, count) !=
         nrd::Result::SUCCESS)
         throw engine::Error(std::string("the library does not tell what ") + m_denoiser.name + " needs");
-    const uint32_t width = static_cast<uint32_t>(m_info.width);
-    const uint32_t height = static_cast<uint32_t>(m_info.height);
     for (uint32_t i = 0; i < count; i++)
+        if (requirements[i].isRequired) createImage(requirements[i]);
+    for (Slot& slot : m_slots)
     {
-        if (!requirements[i].isRequired) continue;
-        const std::string name = nrd::toString(requirements[i].type);
-        const SlotRow* row = findSlot(requirements[i].type, m_denoiser.family);
-        if (!row) throw engine::Error("nrd-replay cannot serve the slot " + name + " of " + m_denoiser.name);
-        if (!row->isOutput)
-            for (Channel channel : neededChannels(row->layer))
-                if (!desc.capture.has(channel))
-                    throw engine::Error("the capture has no channel " + std::string(channelInfo(channel).name) +
-                                        ", which " + m_denoiser.name + " needs for " + name);
-        Slot slot{*row, engine::Image(*m_device, {name, width, height, row->format}), {}, VK_NULL_HANDLE};
-        if (row->isOutput)
-        {
-            slot.values = engine::Image(*m_device, {name + " unpacked", width, height});
-            slot.set = m_unpack.createSet({slot.image, slot.values});
-        }
+        if (slot.row.isOutput)
+            createReadings(slot);
         else
-            slot.set = m_pack.createSet(
-                {layerImage(row->layer), layerImage(Layer::Guides), layerImage(Layer::Depth), slot.image});
-        m_slots.push_back(std::move(slot));
+            createPackSet(slot);
     }
+}
+
+void ReplayGpu::createImage(const nrd::ResourceRequirement& requirement)
+{
+    const std::string name = nrd::toString(requirement.type);
+    const SlotRow* row = findSlot(requirement.type, m_denoiser.family);
+    if (!row) throw engine::Error("nrd-replay cannot serve the slot " + name + " of " + m_denoiser.name);
+    for (const std::optional<Layer>& layer : {row->layer, row->direction})
+    {
+        if (!layer) continue;
+        for (Channel channel : neededChannels(*layer))
+            if (!m_desc.capture.has(channel))
+                throw engine::Error("the capture has no channel " + std::string(channelInfo(channel).name) +
+                                    ", which " + m_denoiser.name + " needs for " + name);
+    }
+    const engine::ImageDesc desc = {name, static_cast<uint32_t>(m_info.width), static_cast<uint32_t>(m_info.height),
+                                    row->format};
+    m_slots.push_back({*row, engine::Image(*m_device, desc), VK_NULL_HANDLE, {}});
+}
+
+void ReplayGpu::createPackSet(Slot& slot)
+{
+    const engine::Image& layer = layerImage(slot.row.layer.value_or(Layer::Guides));
+    const engine::Image& direction = slot.row.direction ? layerImage(*slot.row.direction) : layer;
+    slot.set = m_packing.createSet(
+        ReplayPacking::PackImages{layer, direction, layerImage(Layer::Guides), layerImage(Layer::Depth), slot.image});
+}
+
+void ReplayGpu::createReadings(Slot& slot)
+{
+    const SlotRow& row = slot.row;
+    if (row.type == nrd::ResourceType::OUT_VALIDATION && m_desc.isOverlayWanted) createReading(slot, row.mode, false);
+    if (!row.radiance && !row.scalar) return;
+    const bool isResolved = row.sh1 && m_desc.resolve != ShResolve::None;
+    createReading(slot, row.sh1 ? unpackMode(m_desc.resolve) : row.mode, false);
+    if (isResolved) createReading(slot, REPLAY_UNPACK_REBLUR_EXTRACT, true);
+}
+
+void ReplayGpu::createReading(Slot& slot, uint32_t mode, bool isExtracted)
+{
+    Reading reading;
+    reading.values = engine::Image(
+        *m_device, {slot.image.desc().name + " unpacked", slot.image.desc().width, slot.image.desc().height});
+    reading.mode = mode;
+    reading.isExtracted = isExtracted;
+    const engine::Image& sh1 = slot.row.sh1 ? slotImage(*slot.row.sh1) : slot.image;
+    reading.set = m_packing.createSet(ReplayPacking::UnpackImages{slot.image, sh1, layerImage(Layer::Guides),
+                                                                  layerImage(Layer::Depth), reading.values});
+    slot.readings.push_back(std::move(reading));
+}
+
+nrd::NrdUserImage ReplayGpu::userImage(const engine::Image& image)
+{
+    const engine::ImageDesc& desc = image.desc();
+    const engine::ImageState& state = image.state;
+    return {
+        image.handle(), desc.format, desc.width, desc.height, desc.usage, 0, {state.layout, state.access, state.stage}};
+}
+
+void ReplayGpu::setState(engine::Image& image, const nrd::NrdUserImage& user)
+{
+    image.state = {user.state.layout, user.state.access, user.state.stages};
 }
 
 ReplaySettings ReplayGpu::settingsOfFrame() const
@@ -166,7 +202,7 @@ ReplaySettings ReplayGpu::settingsOfFrame() const
     ReplaySettings settings;
     settings.common = commonSettingsOf(m_info, m_frameIndex);
     settings.reblur.hitDistanceParameters = hitDistanceParametersOf(m_info);
-    applySettings(settings, m_denoiser.family, m_assignments);
+    applySettings(settings, m_denoiser.family, m_desc.settings);
     return settings;
 }
 
@@ -176,84 +212,85 @@ void ReplayGpu::uploadLayers(const Planes& frame)
         engine::upload(*m_device, image, std::as_bytes(std::span<const float>(layerValues(frame, layer))));
 }
 
-void ReplayGpu::recordPack(VkCommandBuffer cmd, Slot& slot, const nrd::HitDistanceParameters& parameters)
+void ReplayGpu::recordPack(VkCommandBuffer cmd, Slot& slot, const ReplaySettings& settings)
 {
     engine::transition(cmd, slot.image, engine::kStorage);
-    const PackConstants constants{{parameters.A, parameters.B, parameters.C, 0.0f},
+    const bool isMix = slot.row.type == nrd::ResourceType::IN_DISOCCLUSION_THRESHOLD_MIX;
+    const nrd::HitDistanceParameters& p = settings.reblur.hitDistanceParameters;
+    const PackConstants constants{{p.A * settings.common.metersToUnits, p.B, p.C, 0.0f},
                                   slot.row.mode,
-                                  slot.row.layer == Layer::Diffuse,
-                                  {static_cast<uint32_t>(m_info.width), static_cast<uint32_t>(m_info.height)}};
-    m_pack.dispatch(
-        cmd, slot.set, bytesOf(constants),
-        {engine::groupCount(constants.size[0], kGroupSize), engine::groupCount(constants.size[1], kGroupSize), 1});
+                                  slot.row.isDiffuse,
+                                  {static_cast<uint32_t>(m_info.width), static_cast<uint32_t>(m_info.height)},
+                                  isMix ? m_desc.disocclusionMix : m_desc.confidence};
+    m_packing.pack(cmd, slot.set, constants);
 }
 
 void ReplayGpu::recordUnpack(VkCommandBuffer cmd, Slot& slot)
 {
+    if (slot.readings.empty()) return;
     engine::transition(cmd, slot.image, engine::kSampled);
-    engine::transition(cmd, slot.values, engine::kStorage);
-    const UnpackConstants constants{{static_cast<uint32_t>(m_info.width), static_cast<uint32_t>(m_info.height)},
-                                    slot.row.mode};
-    m_unpack.dispatch(
-        cmd, slot.set, bytesOf(constants),
-        {engine::groupCount(constants.size[0], kGroupSize), engine::groupCount(constants.size[1], kGroupSize), 1});
+    if (slot.row.sh1) engine::transition(cmd, slotImage(*slot.row.sh1), engine::kSampled);
+    UnpackConstants constants = unpackConstantsOf(m_info, m_frameIndex);
+    constants.isDiffuse = slot.row.isDiffuse;
+    for (Reading& reading : slot.readings)
+    {
+        engine::transition(cmd, reading.values, engine::kStorage);
+        constants.mode = reading.mode;
+        m_packing.unpack(cmd, reading.set, constants);
+    }
 }
 
 void ReplayGpu::recordDenoise(VkCommandBuffer cmd)
 {
-    for (Slot& slot : m_slots)
-    {
-        const engine::ImageDesc& desc = slot.image.desc();
-        m_pool[slot.row.type] = {slot.image.handle(),    desc.format, desc.width, desc.height, desc.usage, 0,
-                                 toNrd(slot.image.state)};
-    }
+    for (Slot& slot : m_slots) m_pool[slot.row.type] = userImage(slot.image);
     check(m_integration.Denoise(cmd, &kIdentifier, 1, m_pool), "denoise");
-    for (Slot& slot : m_slots) slot.image.state = fromNrd(m_pool[slot.row.type].state);
+    for (Slot& slot : m_slots) setState(slot.image, m_pool[slot.row.type]);
 }
 
 void ReplayGpu::record(VkCommandBuffer cmd, const ReplaySettings& settings, bool isWanted)
 {
     for (Slot& slot : m_slots)
-        if (!slot.row.isOutput) recordPack(cmd, slot, settings.reblur.hitDistanceParameters);
+        if (!slot.row.isOutput) recordPack(cmd, slot, settings);
     recordDenoise(cmd);
     if (!isWanted) return;
-    for (Slot& slot : m_slots)
-        if (slot.row.isOutput) recordUnpack(cmd, slot);
+    for (Slot& slot : m_slots) recordUnpack(cmd, slot);
 }
 
-Signals ReplayGpu::denoise(const Planes& frame, bool isWanted)
+ReplayedFrame ReplayGpu::denoise(const Planes& frame, bool isWanted)
 {
     const ReplaySettings settings = settingsOfFrame();
-    uploadLayers(frame);
     check(m_integration.NewFrame(), "begin a frame");
     collectTimes();
     check(m_integration.SetCommonSettings(settings.common), "set the common settings");
+    if (m_slots.empty()) createSlots();
+    uploadLayers(frame);
     engine::submitAndWait(*m_device, [&](VkCommandBuffer cmd) { record(cmd, settings, isWanted); });
+    ReplayedFrame result;
+    if (isWanted) result = read(frame, settings.reblur.returnHistoryLengthInsteadOfOcclusion);
     m_frameIndex++;
-    return isWanted ? readSignals(frame) : Signals();
+    return result;
 }
 
-Signals ReplayGpu::readSignals(const Planes& frame)
+ReplayedFrame ReplayGpu::read(const Planes& frame, bool isHistoryLength)
 {
     const Mask surface = surfaceMask(frame, m_info.denoisingRange);
-    Signals signals;
+    const Picture overlay(frame.width, frame.height, 4), colour(frame.width, frame.height, 3),
+        scalar(frame.width, frame.height, 1);
+    ReplayedFrame result;
     for (Slot& slot : m_slots)
     {
-        if (!slot.row.isOutput || (!slot.row.radiance && !slot.row.scalar)) continue;
-        const std::vector<float> values = engine::readBackAs<float>(*m_device, slot.values);
-        Picture radiance(frame.width, frame.height, slot.row.radiance ? 3 : 0);
-        Picture scalar(frame.width, frame.height, slot.row.scalar ? 1 : 0);
-        const size_t scalarComponent = slot.row.radiance ? 3 : 0;
-        for (size_t i = 0; i < surface.size(); i++)
+        for (Reading& reading : slot.readings)
         {
-            for (size_t c = 0; c < radiance.planes.size(); c++)
-                radiance.planes[c][i] = surface[i] ? values[i * 4 + c] : 0.0f;
-            if (scalar.exists()) scalar.planes[0][i] = surface[i] ? values[i * 4 + scalarComponent] : 1.0f;
+            const std::vector<float> values = engine::readBackAs<float>(*m_device, reading.values);
+            const SlotRow& row = slot.row;
+            Signals& signals = reading.isExtracted ? result.extracted : result.signals;
+            if (row.type == nrd::ResourceType::OUT_VALIDATION) result.overlay = pictureOf(values, {}, overlay, 0.0f);
+            if (row.radiance) signals[*row.radiance] = pictureOf(values, surface, colour, 0.0f);
+            if (!row.scalar || (row.radiance && isHistoryLength)) continue;
+            signals[*row.scalar] = pictureOf(values, surface, scalar, 1.0f);
         }
-        if (slot.row.radiance) signals[*slot.row.radiance] = std::move(radiance);
-        if (slot.row.scalar) signals[*slot.row.scalar] = std::move(scalar);
     }
-    return signals;
+    return result;
 }
 
 // Times of the frame before, which is done: called after NewFrame().

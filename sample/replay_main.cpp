@@ -1,4 +1,5 @@
 // nrd-replay: denoises a recorded capture and says how far the result is from its references.
+#include "replay_doctor.h"
 #include "replay_gpu.h"
 #include "replay_output.h"
 
@@ -25,9 +26,14 @@ struct Options
     std::string device;
     std::vector<std::string> settings;
     std::vector<std::string> summary;
+    std::string resolve = "restore";
+    std::optional<float> confidence;
+    std::optional<float> disocclusionMix;
     size_t frameCount = 0; // 0: all
+    bool isMarkdown = false;
     bool validation = false;
     bool isDeviceListWanted = false;
+    bool isDoctorWanted = false;
 };
 
 std::string versionText()
@@ -46,9 +52,20 @@ void declareOptions(CLI::App& app, Options& options)
     app.add_option("--peer", options.peer, "File with recorded figures, printed beside ours");
     app.add_option("--set", options.settings, "key=value: any field of the common or the denoiser's settings")
         ->take_all();
+    app.add_option("--resolve", options.resolve, "SH: the kind of the resolve: restore (default), sg or sh; or none")
+        ->check(CLI::IsMember({"sg", "sh", "restore", "none"}));
+    app.add_option("--confidence", options.confidence, "Of every pixel, with --set isHistoryConfidenceAvailable=true")
+        ->check(CLI::Range(0.0f, 1.0f));
+    app.add_option("--disocclusion-mix", options.disocclusionMix,
+                   "Of every pixel, with --set isDisocclusionThresholdMixAvailable=true")
+        ->check(CLI::Range(0.0f, 1.0f));
+    app.add_flag(
+        "--doctor", options.isDoctorWanted,
+        "Check the inputs instead of denoising them; the exit code is 0 if all is well, 2 if it found something");
     app.add_option("--frames", options.frameCount, "Replay only so many frames")
         ->check(CLI::Range(size_t(1), size_t(1000000)));
     app.add_option("--summary", options.summary, "Print one table of these reports instead of replaying");
+    app.add_flag("--markdown", options.isMarkdown, "Print the table of --summary as Markdown");
     app.add_option("--device", options.device, "Number or part of the name of the device");
     app.add_flag("--list-devices", options.isDeviceListWanted, "List the Vulkan devices");
     app.add_flag("--validation", options.validation, "Turn the validation layers on; a message makes the run fail");
@@ -88,6 +105,30 @@ const ReplayDenoiser& chosenDenoiser(const Options& options)
     throw SettingError(text);
 }
 
+ShResolve chosenResolve(const Options& options)
+{
+    if (options.resolve == "none") return ShResolve::None;
+    if (options.resolve == "sg") return ShResolve::SphericalGaussians;
+    return options.resolve == "sh" ? ShResolve::SphericalHarmonics : ShResolve::Restore;
+}
+
+ReplayGpuDesc gpuDesc(const Options& options, const Capture& capture, const ReplayDenoiser& denoiser)
+{
+    ReplayGpuDesc desc{capture, denoiser, {}, options.device, options.validation};
+    for (const std::string& text : options.settings) desc.settings.push_back(parseAssignment(text));
+    desc.resolve = chosenResolve(options);
+    desc.confidence = options.confidence.value_or(desc.confidence);
+    desc.disocclusionMix = options.disocclusionMix.value_or(desc.disocclusionMix);
+    desc.isOverlayWanted = !options.out.empty();
+    ReplaySettings settings;
+    applySettings(settings, denoiser.family, desc.settings);
+    if (options.confidence && !settings.common.isHistoryConfidenceAvailable)
+        throw SettingError("--confidence needs --set isHistoryConfidenceAvailable=true");
+    if (options.disocclusionMix && !settings.common.isDisocclusionThresholdMixAvailable)
+        throw SettingError("--disocclusion-mix needs --set isDisocclusionThresholdMixAvailable=true");
+    return desc;
+}
+
 class Replay
 {
 public:
@@ -98,14 +139,14 @@ public:
         m_report.denoiser = denoiser.name;
         m_report.width = capture.info().width;
         m_report.height = capture.info().height;
-        for (const std::string& text : options.settings) m_report.settings.push_back(parseAssignment(text));
         if (denoiser.family == Family::None)
         {
             if (!options.settings.empty()) throw SettingError("--set needs a denoiser, not NONE");
             return;
         }
-        m_gpu = std::make_unique<ReplayGpu>(
-            ReplayGpuDesc{capture, denoiser, m_report.settings, options.device, options.validation});
+        const ReplayGpuDesc desc = gpuDesc(options, capture, denoiser);
+        m_report.settings = desc.settings;
+        m_gpu = std::make_unique<ReplayGpu>(desc);
         m_report.device = m_gpu->deviceName();
     }
 
@@ -124,6 +165,7 @@ public:
         m_report.frames = m_measurer.frames();
         m_report.noisy = m_measurer.meanNoisy();
         m_report.denoised = m_measurer.meanDenoised();
+        m_report.extracted = m_measurer.meanExtracted();
         if (m_gpu)
         {
             m_gpu->reportTimes(m_report, kFirstTimedFrame);
@@ -141,17 +183,22 @@ private:
         const bool isWritten = !m_options.out.empty();
         if (!m_gpu && !hasReference) return;
         const Planes frame = m_capture.readFrame(index);
-        Signals denoised;
-        if (m_gpu) denoised = m_gpu->denoise(frame, hasReference || isWritten);
+        ReplayedFrame result;
+        if (m_gpu) result = m_gpu->denoise(frame, hasReference || isWritten);
+        Signals& denoised = result.signals;
         m_report.nonFiniteCount += countNonFinite(denoised);
         if (hasReference)
         {
-            m_measurer.add(index, frame, m_capture.readReference(index), m_gpu ? &denoised : nullptr);
+            const bool isExtracted = result.extracted.has(Signal::Diffuse) || result.extracted.has(Signal::Specular);
+            m_measurer.add(index, frame, m_capture.readReference(index), m_gpu ? &denoised : nullptr,
+                           isExtracted ? &result.extracted : nullptr);
             denoised[Signal::Composed] = m_measurer.pictures().denoised;
         }
         else
             compose(denoised, frame, {});
-        if (isWritten) write(index, denoised, hasReference);
+        if (!isWritten) return;
+        write(index, denoised, hasReference);
+        if (result.overlay.exists()) writeOverlayPng(m_options.out, index, result.overlay, denoised[Signal::Composed]);
     }
 
     void write(size_t index, const Signals& denoised, bool hasReference) const
@@ -209,7 +256,7 @@ int summarize(const Options& options)
         reports.push_back(readReport(file));
         peers.push_back(peerOf(options, reports.back()));
     }
-    std::cout << formatSummary(reports, peers);
+    std::cout << formatSummary(reports, peers, options.isMarkdown ? TableStyle::Markdown : TableStyle::Text);
     return 0;
 }
 
@@ -220,6 +267,10 @@ int run(const Options& options)
         for (const std::string& line : engine::listDevices()) std::cout << line << '\n';
         return 0;
     }
+    if (options.isDoctorWanted)
+        return runDoctor({options.capture, options.denoiser, options.settings, options.frameCount, options.device,
+                          options.validation},
+                         std::cout);
     return options.summary.empty() ? replay(options) : summarize(options);
 }
 } // namespace

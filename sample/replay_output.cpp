@@ -14,6 +14,14 @@ std::filesystem::path numbered(const std::filesystem::path& folder, const char* 
     std::snprintf(name, sizeof(name), "%s_%04zu.%s", stem, frameIndex, extension);
     return folder / name;
 }
+
+Image interleaved(const Picture& colours)
+{
+    Image image(colours.width, colours.height);
+    for (size_t i = 0; i < colours.pixelCount(); i++)
+        for (size_t c = 0; c < 3; c++) image.rgba[i * 4 + c] = colours.planes[c][i];
+    return image;
+}
 } // namespace
 
 void writeDenoisedExr(const std::filesystem::path& folder, size_t frameIndex, const Signals& signals)
@@ -36,10 +44,22 @@ void writeDenoisedExr(const std::filesystem::path& folder, size_t frameIndex, co
 
 void writeComposedPng(const std::filesystem::path& folder, const char* stem, size_t frameIndex, const Picture& composed)
 {
-    if (!composed.exists()) return;
-    Image image(composed.width, composed.height);
-    for (size_t i = 0; i < composed.pixelCount(); i++)
-        for (size_t c = 0; c < 3; c++) image.rgba[i * 4 + c] = composed.planes[c][i];
-    writePng(numbered(folder, stem, frameIndex, "png"), image);
+    if (composed.exists()) writePng(numbered(folder, stem, frameIndex, "png"), interleaved(composed));
+}
+
+void writeOverlayPng(const std::filesystem::path& folder, size_t frameIndex, const Picture& overlay,
+                     const Picture& composed)
+{
+    Image image = composed.exists() ? interleaved(composed) : Image(overlay.width, overlay.height);
+    for (size_t i = 0; i < overlay.pixelCount(); i++)
+    {
+        const float alpha = overlay.planes[3][i];
+        for (size_t c = 0; c < 3; c++)
+        {
+            float& value = image.rgba[i * 4 + c];
+            value = alpha * overlay.planes[c][i] + (1.0f - alpha) * toneMap(value);
+        }
+    }
+    writeEncodedPng(numbered(folder, "validation", frameIndex, "png"), image);
 }
 } // namespace sample

@@ -27,6 +27,13 @@ Json toJson(const FrameMeasures& measures)
     return json;
 }
 
+Json toJson(const FrameMeasures& noisy, const FrameMeasures& denoised, const FrameMeasures& extracted)
+{
+    Json json = {{"noisy", toJson(noisy)}, {"denoised", toJson(denoised)}};
+    if (hasMeasures(extracted)) json["extracted"] = toJson(extracted);
+    return json;
+}
+
 FrameMeasures fromJson(const Json& json)
 {
     FrameMeasures measures;
@@ -61,9 +68,11 @@ Json toJson(const ReplayReport& report)
                              {"total", report.memory->total}};
     json["frames"] = Json::array();
     for (const SequenceFrame& frame : report.frames)
-        json["frames"].push_back(
-            {{"frame", frame.frame}, {"noisy", toJson(frame.noisy)}, {"denoised", toJson(frame.denoised)}});
-    json["mean"] = {{"noisy", toJson(report.noisy)}, {"denoised", toJson(report.denoised)}};
+    {
+        json["frames"].push_back({{"frame", frame.frame}});
+        json["frames"].back().update(toJson(frame.noisy, frame.denoised, frame.extracted));
+    }
+    json["mean"] = toJson(report.noisy, report.denoised, report.extracted);
     return json;
 }
 
@@ -82,6 +91,14 @@ template <class F> auto withJson(const std::filesystem::path& file, F&& read)
     }
 }
 } // namespace
+
+bool hasMeasures(const FrameMeasures& measures)
+{
+    for (const SignalMeasures& signal : measures)
+        for (const MeasureInfo& measure : kMeasures)
+            if (signal.*measure.field) return true;
+    return false;
+}
 
 std::optional<PeerFigures> readPeer(const std::filesystem::path& file, const std::string& capture,
                                     const std::string& denoiser)
@@ -116,6 +133,7 @@ ReplayReport readReport(const std::filesystem::path& file)
         report.denoiser = json.at("denoiser").get<std::string>();
         report.noisy = fromJson(json.at("mean").at("noisy"));
         report.denoised = fromJson(json.at("mean").at("denoised"));
+        if (json.at("mean").contains("extracted")) report.extracted = fromJson(json.at("mean").at("extracted"));
         if (json.contains("gpuMs")) report.gpuMs = json.at("gpuMs").at("total").get<double>();
         return report;
     };

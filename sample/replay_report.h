@@ -33,6 +33,7 @@ struct ReplayReport
     std::vector<SequenceFrame> frames;
     FrameMeasures noisy;       // means
     FrameMeasures denoised;    // means, empty without a denoiser
+    FrameMeasures extracted;   // means of the colours before the resolve, empty but for SH denoisers
     size_t nonFiniteCount = 0; // denoised values that are NaN or infinite: the measures take them for 0
 };
 
@@ -55,10 +56,20 @@ void writeReport(const std::filesystem::path& file, const ReplayReport& report);
 // Reads what --summary needs of a report: names and means. Throws FileError.
 ReplayReport readReport(const std::filesystem::path& file);
 
-// GPU time by pass, memory, and every measure: noisy, denoised, and the peer's where there are some.
+// Whether any measure is there.
+bool hasMeasures(const FrameMeasures& measures);
+
+// GPU time by pass, memory, and every measure: noisy, denoised, extracted and the peer's where there are some.
 std::string formatReport(const ReplayReport& report, const std::optional<PeerFigures>& peer);
 
-// One line per report: noisy, ours and the peer's PSNR, FLIP, relMSE, flicker and hit-distance RMSE.
+enum class TableStyle : uint8_t
+{
+    Text,
+    Markdown
+};
+
+// One line per report, two where there are extracted colours: noisy, ours and the peer's errors of the composed picture
+// and of the hit distances. peers[i] belongs to reports[i].
 std::string formatSummary(const std::vector<ReplayReport>& reports,
-                          const std::vector<std::optional<PeerFigures>>& peers);
+                          const std::vector<std::optional<PeerFigures>>& peers, TableStyle style = TableStyle::Text);
 } // namespace sample

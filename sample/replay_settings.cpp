@@ -18,6 +18,10 @@ template <> struct ModeNames<nrd::AccumulationMode>
 {
     static constexpr const char* names[] = {"CONTINUE", "RESTART", "CLEAR_AND_RESTART"};
 };
+template <> struct ModeNames<nrd::PrePassMode>
+{
+    static constexpr const char* names[] = {"OFF", "SIMPLE"};
+};
 template <> struct ModeNames<nrd::CheckerboardMode>
 {
     static constexpr const char* names[] = {"OFF", "BLACK", "WHITE"};
@@ -45,6 +49,7 @@ std::vector<SettingField> commonFields(nrd::CommonSettings& s)
         field("rectOrigin", s.rectOrigin),
         field("cameraDelta", s.cameraDelta),
         field("isCameraDeltaAvailable", s.isCameraDeltaAvailable),
+        field("metersToUnits", s.metersToUnits),
         field("viewZScale", s.viewZScale),
         field("timeDeltaBetweenFrames", s.timeDeltaBetweenFrames),
         field("denoisingRange", s.denoisingRange),
@@ -57,6 +62,7 @@ std::vector<SettingField> commonFields(nrd::CommonSettings& s)
         field("splitScreen", s.splitScreen),
         field("frameIndex", s.frameIndex),
         field("accumulationMode", s.accumulationMode),
+        field("enableCutDetection", s.enableCutDetection),
         field("isHistoryConfidenceAvailable", s.isHistoryConfidenceAvailable),
         field("isDisocclusionThresholdMixAvailable", s.isDisocclusionThresholdMixAvailable),
         field("enableValidation", s.enableValidation),
@@ -84,6 +90,7 @@ std::vector<SettingField> reblurFields(nrd::ReblurSettings& s)
         field("historyFixBasePixelStride", s.historyFixBasePixelStride),
         field("historyFixAlternatePixelStride", s.historyFixAlternatePixelStride),
         field("fastHistoryClampingSigmaScale", s.fastHistoryClampingSigmaScale),
+        field("prePassMode", s.prePassMode),
         field("diffusePrepassBlurRadius", s.diffusePrepassBlurRadius),
         field("specularPrepassBlurRadius", s.specularPrepassBlurRadius),
         field("minHitDistanceWeight", s.minHitDistanceWeight),
@@ -100,6 +107,7 @@ std::vector<SettingField> reblurFields(nrd::ReblurSettings& s)
         field("enableAntiFirefly", s.enableAntiFirefly),
         field("usePrepassOnlyForSpecularMotionEstimation", s.usePrepassOnlyForSpecularMotionEstimation),
         field("returnHistoryLengthInsteadOfOcclusion", s.returnHistoryLengthInsteadOfOcclusion),
+        field("enableReferenceAccumulation", s.enableReferenceAccumulation),
     };
 }
 
@@ -119,6 +127,7 @@ template <class T> const char* parseValue(const std::string& text, T& value)
     }
     else if constexpr (std::is_enum_v<T>)
     {
+        static_assert(std::size(ModeNames<T>::names) == static_cast<size_t>(T::MAX_NUM));
         static const std::string expected = []
         {
             std::string list = "one of";

@@ -27,7 +27,7 @@ struct ReplaySettings
 };
 
 using SettingTarget = std::variant<float*, double*, uint32_t*, uint16_t*, bool*, nrd::AccumulationMode*,
-                                   nrd::CheckerboardMode*, nrd::HitDistanceReconstructionMode*>;
+                                   nrd::PrePassMode*, nrd::CheckerboardMode*, nrd::HitDistanceReconstructionMode*>;
 
 // One field of a given settings object; an array has several values in a row.
 struct SettingField

@@ -15,45 +15,73 @@ constexpr VkFormat kR16 = VK_FORMAT_R16_SFLOAT;
 constexpr VkFormat kR32 = VK_FORMAT_R32_SFLOAT;
 constexpr VkFormat kA2B10G10R10 = VK_FORMAT_A2B10G10R10_UNORM_PACK32;
 
-constexpr SlotRow in(ResourceType type, Family family, VkFormat format, Layer layer, uint32_t mode)
+constexpr SlotRow in(ResourceType type, Family family, VkFormat format, std::optional<Layer> layer, uint32_t mode)
 {
-    return {type, family, format, layer, mode, false, {}, {}};
+    return {type, family, format, layer, {}, mode, layer == Layer::Diffuse, false, {}, {}, {}};
+}
+
+constexpr SlotRow directed(ResourceType type, Layer layer, uint32_t mode)
+{
+    SlotRow row = in(type, Family::Reblur, kRgba16, layer, mode);
+    row.direction = row.isDiffuse ? Layer::DiffuseDirection : Layer::SpecularDirection;
+    return row;
 }
 
 constexpr SlotRow out(ResourceType type, Family family, VkFormat format, uint32_t mode)
 {
-    return {type, family, format, Layer::Count, mode, true, {}, {}};
+    return {type, family, format, {}, {}, mode, false, true, {}, {}, {}};
 }
 
 constexpr SlotRow with(SlotRow row, std::optional<Signal> radiance, std::optional<Signal> scalar)
 {
     row.radiance = radiance;
     row.scalar = scalar;
+    row.isDiffuse = radiance == Signal::Diffuse;
     return row;
 }
 
+constexpr SlotRow outSh(ResourceType sh0, ResourceType sh1, Signal radiance, Signal scalar)
+{
+    SlotRow row = with(out(sh0, Family::Reblur, kRgba16, REPLAY_UNPACK_REBLUR_RESOLVE_SG), radiance, scalar);
+    row.sh1 = sh1;
+    return row;
+}
+
+constexpr Family kReblur = Family::Reblur;
+
 // clang-format off
 constexpr SlotRow kSlots[] = {
-    in(ResourceType::IN_MV,                    Family::None,      kRgba16,      Layer::Motion,   REPLAY_PACK_COPY),
-    in(ResourceType::IN_NORMAL_ROUGHNESS,      Family::None,      kA2B10G10R10, Layer::Guides,
-       REPLAY_PACK_NORMAL_ROUGHNESS),
-    in(ResourceType::IN_VIEWZ,                 Family::None,      kR32,         Layer::Depth,    REPLAY_PACK_COPY),
-    in(ResourceType::IN_DIFF_RADIANCE_HITDIST, Family::Reblur,    kRgba16, Layer::Diffuse,
-       REPLAY_PACK_REBLUR_RADIANCE),
-    in(ResourceType::IN_SPEC_RADIANCE_HITDIST, Family::Reblur,    kRgba16, Layer::Specular,
-       REPLAY_PACK_REBLUR_RADIANCE),
-    in(ResourceType::IN_DIFF_HITDIST,          Family::Reblur,    kR16,    Layer::Diffuse,  REPLAY_PACK_REBLUR_HITDIST),
-    in(ResourceType::IN_SPEC_HITDIST,          Family::Reblur,    kR16,    Layer::Specular, REPLAY_PACK_REBLUR_HITDIST),
-    in(ResourceType::IN_SIGNAL,                Family::Reference, kRgba32, Layer::Diffuse,  REPLAY_PACK_COPY),
-    with(out(ResourceType::OUT_DIFF_RADIANCE_HITDIST, Family::Reblur, kRgba16, REPLAY_UNPACK_REBLUR_RADIANCE),
+    in(ResourceType::IN_MV,              Family::None, kRgba16, Layer::Motion, REPLAY_PACK_COPY),
+    in(ResourceType::IN_VIEWZ,           Family::None, kR32,    Layer::Depth,  REPLAY_PACK_COPY),
+    in(ResourceType::IN_NORMAL_ROUGHNESS, Family::None, kA2B10G10R10, Layer::Guides, REPLAY_PACK_NORMAL_ROUGHNESS),
+    in(ResourceType::IN_DIFF_CONFIDENCE, Family::None, kR16,    {},            REPLAY_PACK_CONSTANT),
+    in(ResourceType::IN_SPEC_CONFIDENCE, Family::None, kR16,    {},            REPLAY_PACK_CONSTANT),
+    in(ResourceType::IN_DISOCCLUSION_THRESHOLD_MIX, Family::None, kR16, {},    REPLAY_PACK_CONSTANT),
+    in(ResourceType::IN_DIFF_RADIANCE_HITDIST, kReblur, kRgba16, Layer::Diffuse,  REPLAY_PACK_REBLUR_RADIANCE),
+    in(ResourceType::IN_SPEC_RADIANCE_HITDIST, kReblur, kRgba16, Layer::Specular, REPLAY_PACK_REBLUR_RADIANCE),
+    in(ResourceType::IN_DIFF_HITDIST,          kReblur, kR16,    Layer::Diffuse,  REPLAY_PACK_REBLUR_HITDIST),
+    in(ResourceType::IN_SPEC_HITDIST,          kReblur, kR16,    Layer::Specular, REPLAY_PACK_REBLUR_HITDIST),
+    directed(ResourceType::IN_DIFF_DIRECTION_HITDIST, Layer::Diffuse,  REPLAY_PACK_REBLUR_DIRECTION_HITDIST),
+    directed(ResourceType::IN_DIFF_SH0,               Layer::Diffuse,  REPLAY_PACK_REBLUR_SH0),
+    directed(ResourceType::IN_DIFF_SH1,               Layer::Diffuse,  REPLAY_PACK_REBLUR_SH1),
+    directed(ResourceType::IN_SPEC_SH0,               Layer::Specular, REPLAY_PACK_REBLUR_SH0),
+    directed(ResourceType::IN_SPEC_SH1,               Layer::Specular, REPLAY_PACK_REBLUR_SH1),
+    in(ResourceType::IN_SIGNAL, Family::Reference, kRgba32, Layer::Diffuse, REPLAY_PACK_COPY),
+    with(out(ResourceType::OUT_DIFF_RADIANCE_HITDIST, kReblur, kRgba16, REPLAY_UNPACK_REBLUR_RADIANCE),
          Signal::Diffuse, Signal::NormHitDist),
-    with(out(ResourceType::OUT_SPEC_RADIANCE_HITDIST, Family::Reblur, kRgba16, REPLAY_UNPACK_REBLUR_RADIANCE),
+    with(out(ResourceType::OUT_SPEC_RADIANCE_HITDIST, kReblur, kRgba16, REPLAY_UNPACK_REBLUR_RADIANCE),
          Signal::Specular, Signal::SpecularNormHitDist),
-    with(out(ResourceType::OUT_DIFF_HITDIST, Family::Reblur,    kR16,    REPLAY_UNPACK_COPY), {}, Signal::NormHitDist),
-    with(out(ResourceType::OUT_SPEC_HITDIST, Family::Reblur,    kR16,    REPLAY_UNPACK_COPY), {},
+    outSh(ResourceType::OUT_DIFF_SH0, ResourceType::OUT_DIFF_SH1, Signal::Diffuse, Signal::NormHitDist),
+    out(ResourceType::OUT_DIFF_SH1, kReblur, kRgba16, REPLAY_UNPACK_COPY),
+    outSh(ResourceType::OUT_SPEC_SH0, ResourceType::OUT_SPEC_SH1, Signal::Specular, Signal::SpecularNormHitDist),
+    out(ResourceType::OUT_SPEC_SH1, kReblur, kRgba16, REPLAY_UNPACK_COPY),
+    with(out(ResourceType::OUT_DIFF_HITDIST, kReblur, kR16, REPLAY_UNPACK_REBLUR_HITDIST), {}, Signal::NormHitDist),
+    with(out(ResourceType::OUT_SPEC_HITDIST, kReblur, kR16, REPLAY_UNPACK_REBLUR_HITDIST), {},
          Signal::SpecularNormHitDist),
-    with(out(ResourceType::OUT_SIGNAL,       Family::Reference, kRgba32, REPLAY_UNPACK_COPY), Signal::Diffuse, {}),
-    out(ResourceType::OUT_VALIDATION, Family::None, VK_FORMAT_R8G8B8A8_UNORM, REPLAY_UNPACK_COPY), // not looked at
+    with(out(ResourceType::OUT_DIFF_DIRECTION_HITDIST, kReblur, kRgba16, REPLAY_UNPACK_REBLUR_DIRECTION_HITDIST), {},
+         Signal::NormHitDist),
+    with(out(ResourceType::OUT_SIGNAL, Family::Reference, kRgba32, REPLAY_UNPACK_COPY), Signal::Diffuse, {}),
+    out(ResourceType::OUT_VALIDATION, Family::None, VK_FORMAT_R8G8B8A8_UNORM, REPLAY_UNPACK_COPY),
 };
 
 // The channels of a layer's components in order; where a row is short, the rest is 0.
@@ -69,6 +97,8 @@ constexpr LayerRow kLayers[] = {
     {Layer::Motion,   {Channel::MotionX, Channel::MotionY, Channel::MotionZ}, 3},
     {Layer::Diffuse,  {Channel::DiffuseR, Channel::DiffuseG, Channel::DiffuseB, Channel::DiffuseHitDist}, 4},
     {Layer::Specular, {Channel::SpecularR, Channel::SpecularG, Channel::SpecularB, Channel::SpecularHitDist}, 4},
+    {Layer::DiffuseDirection,  {Channel::DiffuseDX, Channel::DiffuseDY, Channel::DiffuseDZ}, 3},
+    {Layer::SpecularDirection, {Channel::SpecularDX, Channel::SpecularDY, Channel::SpecularDZ}, 3},
 };
 // clang-format on
 

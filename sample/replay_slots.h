@@ -16,6 +16,8 @@ enum class Layer : uint8_t
     Motion,
     Diffuse,  // radiance, hit distance
     Specular, // radiance, hit distance
+    DiffuseDirection,
+    SpecularDirection,
     Count
 };
 inline constexpr size_t kLayerCount = static_cast<size_t>(Layer::Count);
@@ -31,11 +33,14 @@ struct SlotRow
     nrd::ResourceType type;
     Family family; // that packs the slot so; None: every family
     VkFormat format;
-    Layer layer;   // inputs: packed from it
-    uint32_t mode; // REPLAY_PACK_... or REPLAY_UNPACK_...
+    std::optional<Layer> layer;     // inputs: packed from it; nothing: a constant
+    std::optional<Layer> direction; // inputs: and from it
+    uint32_t mode;                  // REPLAY_PACK_... or REPLAY_UNPACK_...
+    bool isDiffuse;
     bool isOutput;
-    std::optional<Signal> radiance; // outputs: what .xyz is
-    std::optional<Signal> scalar;   // outputs: what .w is, or .x where there is no radiance
+    std::optional<nrd::ResourceType> sh1; // outputs: the other half of an SH signal, of which this is the first
+    std::optional<Signal> radiance;       // outputs: what .xyz is
+    std::optional<Signal> scalar;         // outputs: what .w is
 };
 
 // Null when the replay tool cannot serve the slot for that family.

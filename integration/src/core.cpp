@@ -171,9 +171,10 @@ void Core::resize(uint32_t width, uint32_t height)
             },
             denoiser.settings);
     std::unique_ptr<Pools> pools = createPools(*instance, width, height);
-    m_retired.reserve(1);
+    m_retired.reserve(2);
     // From here on nothing fails.
     m_retired.retire(m_frame, std::exchange(m_pools, std::move(pools)));
+    endDiagnosis();
     m_timer->drop(); // its names belong to the instance that goes
     m_instance = std::move(instance);
     m_desc.resourceWidth = static_cast<uint16_t>(width);

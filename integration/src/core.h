@@ -1,5 +1,6 @@
 // One created integration, over any RHI device. Refusals are thrown; NrdIntegration turns them into results.
 #pragma once
+#include "diagnosis.h"
 #include "dispatch.h"
 #include "refusal.h"
 #include <nrd/integration.h>
@@ -31,6 +32,9 @@ public:
     }
     void denoise(VkCommandBuffer commandBuffer, rhi::Span<const Identifier> identifiers, NrdUserPool& userPool,
                  const DenoiseOptions& options);
+    void recordDiagnosis(VkCommandBuffer commandBuffer, NrdUserPool& userPool, NrdDiagnosisImages* extra);
+    rhi::Span<const Finding> diagnose(bool isGpuIdle);
+    void endDiagnosis();
     void forget(VkImage image) { m_views.forget(image, m_retired); }
 
     Timings timings() const { return m_timer->timings(); }
@@ -69,6 +73,8 @@ private:
     void checkUserPool(const DenoiserState& denoiser, const NrdUserPool& userPool) const;
     /// A call that failed after the library had planned it left histories half-way: they begin anew. False if none did.
     bool repairHistory(rhi::Span<const Identifier> identifiers);
+    std::vector<DiagnosedImage> diagnosedImages(NrdUserPool& userPool, NrdDiagnosisImages* extra);
+    void lookAtDiagnosis(bool isGpuIdle);
     PlanContext planContext(NrdUserPool& userPool);
     rhi::CommandBuffer& wrap(VkCommandBuffer commandBuffer);
 
@@ -90,6 +96,8 @@ private:
     std::vector<std::unique_ptr<rhi::DescriptorPool>> m_descriptorPools; // one per frame in flight
     std::vector<WrappedCommands> m_wrappedCommands;                      // the latest, round robin
     size_t m_nextWrapped = 0;
+
+    std::unique_ptr<Diagnosis> m_diagnosis; // null: not asked for
 
     uint64_t m_frame = 0;         // NewFrame() calls
     uint64_t m_settingsFrame = 0; // of the last common settings, 0 = none since creation or resize

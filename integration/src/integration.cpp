@@ -160,6 +160,29 @@ Result NrdIntegration::Denoise(VkCommandBuffer commandBuffer, const Identifier* 
                           });
 }
 
+Result NrdIntegration::RecordDiagnosis(VkCommandBuffer commandBuffer, NrdUserPool& userPool, NrdDiagnosisImages* images)
+{
+    return Impl::withCore(m_impl.get(), [&](Core& core) { core.recordDiagnosis(commandBuffer, userPool, images); });
+}
+
+Result NrdIntegration::Diagnose(const Finding*& findings, uint32_t& findingsNum, bool isGpuIdle)
+{
+    findings = nullptr;
+    findingsNum = 0;
+    return Impl::withCore(m_impl.get(),
+                          [&](Core& core)
+                          {
+                              const rhi::Span<const Finding> result = core.diagnose(isGpuIdle);
+                              findings = result.data();
+                              findingsNum = static_cast<uint32_t>(result.size());
+                          });
+}
+
+Result NrdIntegration::EndDiagnosis()
+{
+    return Impl::withCore(m_impl.get(), [](Core& core) { core.endDiagnosis(); });
+}
+
 Result NrdIntegration::Forget(VkImage image)
 {
     return Impl::withCore(m_impl.get(), [&](Core& core) { core.forget(image); });

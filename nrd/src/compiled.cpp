@@ -78,7 +78,7 @@ public:
     {
         if (!binding.isTexture())
         {
-            if (m_denoiser.program.family->areOutputsCleared)
+            if (m_denoiser.program.family->areOutputsCleared && isSignal(binding.type))
                 add(binding.type, 0, Format::RGBA16_SFLOAT, m_denoiser.resolutionDivisor);
             return;
         }
@@ -89,6 +89,14 @@ public:
     }
 
 private:
+    // What else a user may bind is there only at times, and written whole by its pass.
+    bool isSignal(ResourceType type) const
+    {
+        const auto& signals = m_denoiser.program.variant->signals;
+        const auto isOutput = [type](const SignalRow& signal) { return signal.output == type; };
+        return std::any_of(signals.begin(), signals.end(), isOutput);
+    }
+
     void add(ResourceType type, uint16_t index, Format format, uint16_t factor)
     {
         for (const ClearTarget& clear : m_denoiser.clears)

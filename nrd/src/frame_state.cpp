@@ -58,6 +58,14 @@ Double3 findCameraDelta(const CommonSettings& common, const Camera& current, con
     return {common.cameraDelta[0], common.cameraDelta[1], common.cameraDelta[2]};
 }
 
+// What is left of an absolute position once single precision must do: its place in a cube of whole units.
+Double3 wrapped(const Double3& position)
+{
+    constexpr double kPeriod = 1024.0;
+    const auto wrap = [](double x) { return x - kPeriod * std::floor(x / kPeriod); };
+    return {wrap(position.x), wrap(position.y), wrap(position.z)};
+}
+
 // Motion on screen is a difference of what IN_VIEWZ stores; the shaders know its absolute value in units, and look at
 // the sign of each texel.
 shared::vec4 makeMotionVectorScale(const CommonSettings& common)
@@ -111,6 +119,7 @@ FrameState makeFrameState(const CommonSettings& common, float frameRateScale)
     state.frustumPrev = toShared(previous.projection.frustum);
     state.cameraDelta = toShared(delta, current.projection.isOrthographic ? 1.0 : 0.0);
     state.viewDirection = toShared(-current.rotation.row(2), 0.0);
+    state.cameraPosition = toShared(wrapped(current.position), 0.0);
     state.motionVectorScale = makeMotionVectorScale(common);
 
     state.unproject = static_cast<float>(2.0 / (common.rectSize[1] * current.projection.yScale));

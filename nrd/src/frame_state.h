@@ -32,6 +32,7 @@ struct FrameState
     shared::vec4 frustumPrev;
     shared::vec4 cameraDelta;       // .w 1 = orthographic
     shared::vec4 viewDirection;     // surface to camera
+    shared::vec4 cameraPosition;    // modulo 1024 units
     shared::vec4 motionVectorScale; // .w 1 = world space
     float unproject = 0.0f;         // world size of a pixel at z = 1, or at any z if orthographic
     float minRectDim = 0.0f;        // pixels

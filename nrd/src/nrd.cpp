@@ -1,6 +1,5 @@
 #include "denoisers/families.h"
 #include "instance.h"
-#include <cmath>
 #include <memory>
 
 namespace nrd
@@ -98,12 +97,4 @@ Result GetRequiredResources(const Instance& instance, Identifier identifier, con
 }
 
 const char* GetLastMessage(const Instance& instance) { return instance.lastMessage(); }
-
-uint32_t GetMaxAccumulatedFrameNum(float seconds, float fps)
-{
-    constexpr float kMaxFrameNum = 63.0f;
-    const float frameNum = std::round(seconds * fps);
-    if (!(frameNum > 0.0f)) return 0; // NaN as well
-    return static_cast<uint32_t>(std::fmin(frameNum, kMaxFrameNum));
-}
 } // namespace nrd

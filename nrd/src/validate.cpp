@@ -44,6 +44,7 @@ void checkFilters(Checker& check, const ReblurSettings& s)
 
 void checkModes(Checker& check, const ReblurSettings& s)
 {
+    check.enumerator("prePassMode", s.prePassMode);
     check.enumerator("checkerboardMode", s.checkerboardMode);
     check.enumerator("hitDistanceReconstructionMode", s.hitDistanceReconstructionMode);
 }

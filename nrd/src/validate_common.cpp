@@ -106,7 +106,6 @@ void checkScalars(Checker& check, const CommonSettings& s)
     check.aboveUpTo("strandThickness", s.strandThickness, 0.0f, kHuge);
     check.inside("splitScreen", s.splitScreen, 0.0f, 1.0f);
     check.enumerator("accumulationMode", s.accumulationMode);
-    check.unsupported(s.enableValidation, "enableValidation", "is true, but this version has no validation output");
 }
 
 void checkMaterial(Checker& check, const char* field, uint32_t id, NormalEncoding encoding)

@@ -4,13 +4,16 @@
 
 namespace sample
 {
-void SequenceMeasurer::add(size_t frameIndex, const Planes& frame, const Planes& reference, const Signals* denoised)
+void SequenceMeasurer::add(size_t frameIndex, const Planes& frame, const Planes& reference, const Signals* denoised,
+                           const Signals* extracted)
 {
     Signals expected = referenceSignals(reference, frame);
     Signals noisy = noisySignals(frame, m_info, m_produced);
     compose(noisy, frame, expected);
     Signals result = denoised ? *denoised : Signals();
     if (denoised) compose(result, frame, expected);
+    Signals unresolved = extracted ? *extracted : Signals();
+    if (extracted) compose(unresolved, frame, expected);
     m_pictures = {noisy[Signal::Composed], result[Signal::Composed], expected[Signal::Composed]};
 
     Kept now;
@@ -30,6 +33,7 @@ void SequenceMeasurer::add(size_t frameIndex, const Planes& frame, const Planes&
     row.frame = frameIndex;
     std::future<FrameMeasures> noisyMeasures = std::async(std::launch::async, measure, std::move(noisy), &Kept::noisy);
     row.denoised = measure(std::move(result), &Kept::denoised);
+    row.extracted = measure(std::move(unresolved), &Kept::extracted);
     row.noisy = noisyMeasures.get();
     m_frames.push_back(std::move(row));
     m_before = std::move(now);
@@ -46,4 +50,6 @@ FrameMeasures SequenceMeasurer::mean(FrameMeasures SequenceFrame::*field) const
 FrameMeasures SequenceMeasurer::meanNoisy() const { return mean(&SequenceFrame::noisy); }
 
 FrameMeasures SequenceMeasurer::meanDenoised() const { return mean(&SequenceFrame::denoised); }
+
+FrameMeasures SequenceMeasurer::meanExtracted() const { return mean(&SequenceFrame::extracted); }
 } // namespace sample

@@ -6,9 +6,19 @@
 #define REPLAY_PACK_NORMAL_ROUGHNESS 1
 #define REPLAY_PACK_REBLUR_RADIANCE 2
 #define REPLAY_PACK_REBLUR_HITDIST 3
+#define REPLAY_PACK_REBLUR_SH0 4
+#define REPLAY_PACK_REBLUR_SH1 5
+#define REPLAY_PACK_REBLUR_DIRECTION_HITDIST 6
+#define REPLAY_PACK_CONSTANT 7
 
 #define REPLAY_UNPACK_COPY 0
 #define REPLAY_UNPACK_REBLUR_RADIANCE 1
+#define REPLAY_UNPACK_REBLUR_HITDIST 2
+#define REPLAY_UNPACK_REBLUR_DIRECTION_HITDIST 3
+#define REPLAY_UNPACK_REBLUR_EXTRACT 4    // SH: the colour without a resolve
+#define REPLAY_UNPACK_REBLUR_RESOLVE_SG 5 // SH: by spherical Gaussians
+#define REPLAY_UNPACK_REBLUR_RESOLVE_SH 6 // SH: by spherical harmonics
+#define REPLAY_UNPACK_REBLUR_RESTORE 7    // SH: what the pixel's own normal adds to its neighbours'
 
 #define REPLAY_HIT_DIST_MISS 65504.0 // recorded where a ray hit nothing
 

@@ -6,16 +6,18 @@
 #include "replay_modes.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;
-layout(set = 0, binding = 0) uniform texture2D gIn_Layer;  // what is packed; for a lobe .xyz radiance, .w hit distance
-layout(set = 0, binding = 1) uniform texture2D gIn_Guides; // .xyz normal, .w roughness
-layout(set = 0, binding = 2) uniform texture2D gIn_Depth;  // .x viewZ, .y material ID
-layout(set = 0, binding = 3) uniform writeonly image2D gOut_Slot;
+layout(set = 0, binding = 0) uniform texture2D gIn_Layer;     // what is packed; a lobe: .xyz radiance, .w hit distance
+layout(set = 0, binding = 1) uniform texture2D gIn_Direction; // .xyz the lobe's first bounce; any layer where unused
+layout(set = 0, binding = 2) uniform texture2D gIn_Guides;    // .xyz normal, .w roughness
+layout(set = 0, binding = 3) uniform texture2D gIn_Depth;     // .x viewZ, .y material ID
+layout(set = 0, binding = 4) uniform writeonly image2D gOut_Slot;
 layout(push_constant) uniform Constants
 {
     vec4 hitDistanceParameters; // .xyz A, B, C
     uint mode;                  // REPLAY_PACK_...
     uint isDiffuse;
     uvec2 size; // pixels
+    float constant;
 }
 g;
 
@@ -26,22 +28,35 @@ float getNormHitDist(float hitDist, float viewZ, float roughness)
     return REBLUR_FrontEnd_GetNormHitDist(hitDist, viewZ, g.hitDistanceParameters.xyz, roughness);
 }
 
-vec4 pack(vec4 layer, vec4 guides, vec2 depth)
+// Nothing is sanitised: what is not finite in a capture is the denoiser's to deal with.
+vec4 packLobe(ivec2 pixel, vec4 lobe)
 {
-    if (g.mode == REPLAY_PACK_NORMAL_ROUGHNESS)
-        return NRD_FrontEnd_PackNormalAndRoughness(guides.xyz, guides.w, float(uint(depth.y) & 3u));
-    if (g.mode == REPLAY_PACK_COPY) return layer;
-    float normHitDist = getNormHitDist(layer.w, depth.x, g.isDiffuse != 0u ? 1.0 : guides.w);
+    float roughness = g.isDiffuse != 0u ? 1.0 : texelFetch(gIn_Guides, pixel, 0).w;
+    float normHitDist = getNormHitDist(lobe.w, texelFetch(gIn_Depth, pixel, 0).x, roughness);
     if (g.mode == REPLAY_PACK_REBLUR_HITDIST) return vec4(normHitDist);
-    // Not sanitised: what is not finite in a capture is the denoiser's to deal with.
-    return REBLUR_FrontEnd_PackRadianceAndNormHitDist(layer.xyz, normHitDist, false);
+    if (g.mode == REPLAY_PACK_REBLUR_RADIANCE)
+        return REBLUR_FrontEnd_PackRadianceAndNormHitDist(lobe.xyz, normHitDist, false);
+    vec3 direction = texelFetch(gIn_Direction, pixel, 0).xyz;
+    if (g.mode == REPLAY_PACK_REBLUR_DIRECTION_HITDIST)
+        return REBLUR_FrontEnd_PackDirectionalOcclusion(direction, normHitDist, false);
+    vec4 sh1;
+    vec4 sh0 = REBLUR_FrontEnd_PackSh(lobe.xyz, normHitDist, direction, sh1, false);
+    return g.mode == REPLAY_PACK_REBLUR_SH0 ? sh0 : sh1;
+}
+
+vec4 pack(ivec2 pixel)
+{
+    if (g.mode == REPLAY_PACK_CONSTANT) return vec4(g.constant);
+    vec4 layer = texelFetch(gIn_Layer, pixel, 0);
+    if (g.mode == REPLAY_PACK_COPY) return layer;
+    if (g.mode != REPLAY_PACK_NORMAL_ROUGHNESS) return packLobe(pixel, layer);
+    float materialID = float(uint(texelFetch(gIn_Depth, pixel, 0).y) & 3u);
+    return NRD_FrontEnd_PackNormalAndRoughness(layer.xyz, layer.w, materialID);
 }
 
 void main()
 {
     uvec2 id = gl_GlobalInvocationID.xy;
     if (any(greaterThanEqual(id, g.size))) return;
-    ivec2 pixel = ivec2(id);
-    vec2 depth = texelFetch(gIn_Depth, pixel, 0).xy;
-    imageStore(gOut_Slot, pixel, pack(texelFetch(gIn_Layer, pixel, 0), texelFetch(gIn_Guides, pixel, 0), depth));
+    imageStore(gOut_Slot, ivec2(id), pack(ivec2(id)));
 }

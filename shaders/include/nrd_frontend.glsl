@@ -1,5 +1,6 @@
-// What an application's own shaders need: packing of the guides and noisy signals, unpacking of the results.
-// No bindings, no globals. Compiles as GLSL and, by the keyword map below, as HLSL.
+// What an application's own shaders need: packing of the guides and noisy signals, unpacking of the results. The one
+// file to include; it brings the others of this folder. No bindings, no globals, nothing that belongs to a stage.
+// GLSL needs GL_GOOGLE_include_directive. HLSL works by the keyword map below (FXC: define __HLSL_VERSION yourself).
 //
 // Define before including, if the instance was not created with the defaults:
 //   NRD_NORMAL_ENCODING     value of nrd::NormalEncoding, default 2 (R10_G10_B10_A2_UNORM)
@@ -13,9 +14,13 @@
 #define vec2 float2
 #define vec3 float3
 #define vec4 float4
+#define mat3 float3x3
 #define mix lerp
 #define inversesqrt rsqrt
 #define floatBitsToUint asuint
+#define NRD_MUL(matrix3, v) mul(matrix3, v)
+#else
+#define NRD_MUL(matrix3, v) ((matrix3) * (v))
 #endif
 
 #ifndef NRD_NORMAL_ENCODING
@@ -46,6 +51,19 @@
 bool NRD_IsFinite(float x)
 {
     return (floatBitsToUint(x) & 0x7F800000u) != 0x7F800000u;
+}
+
+// NaN only: an infinite hit distance is a miss, not an error.
+bool NRD_IsNan(float x)
+{
+    return (floatBitsToUint(x) & 0x7FFFFFFFu) > 0x7F800000u;
+}
+
+// Zero for a zero vector (no direction known), where normalize() is undefined. 1e-30: smaller squares are denormal.
+vec3 NRD_NormalizeOrZero(vec3 v)
+{
+    float squared = dot(v, v);
+    return squared > 1e-30 ? v * inversesqrt(squared) : vec3(0.0, 0.0, 0.0);
 }
 
 // For sums over several paths: drop a path whose radiance is not finite, not the mean.
@@ -160,7 +178,8 @@ vec4 NRD_FrontEnd_UnpackNormalAndRoughness(vec4 packed)
 //----------------------------------------------------------------------------------------------------------------------
 // Hit distance
 
-// Several diffuse paths: average. Several specular paths: the nearest non-zero one, found by these three.
+// Several diffuse paths: the mean over those that are diffuse. Several specular paths: the nearest non-zero one, found
+// by these three, since tracking must see the nearest reflected surface.
 float NRD_FrontEnd_SpecHitDistAveraging_Begin()
 {
     return 3.402823466e+38;
@@ -168,7 +187,8 @@ float NRD_FrontEnd_SpecHitDistAveraging_Begin()
 
 void NRD_FrontEnd_SpecHitDistAveraging_Add(inout float accumulated, float hitDist)
 {
-    accumulated = hitDist > 0.0 ? min(accumulated, hitDist) : accumulated;
+    // 1e30: an infinite miss stays below what Begin() returned, which means that nothing came. NaN is skipped.
+    accumulated = hitDist > 0.0 && !NRD_IsNan(hitDist) ? min(accumulated, min(hitDist, 1e30)) : accumulated;
 }
 
 void NRD_FrontEnd_SpecHitDistAveraging_End(inout float accumulated)
@@ -179,7 +199,7 @@ void NRD_FrontEnd_SpecHitDistAveraging_End(inout float accumulated)
 // Ray offsets turn "inside the surface" into tiny positive distances; below the threshold they become "none".
 float NRD_FrontEnd_TrimHitDistance(float hitDist, float threshold)
 {
-    return hitDist < threshold ? 0.0 : hitDist;
+    return hitDist >= threshold && !NRD_IsNan(hitDist) ? hitDist : 0.0;
 }
 
 // (A + |viewZ| B) mix(C, 1, spread(roughness)); parameters: A, B, C of ReblurSettings::hitDistanceParameters.
@@ -192,7 +212,8 @@ float REBLUR_GetHitDistanceNormalization(float viewZ, vec3 parameters, float rou
 // roughness: 1 for diffuse.
 float REBLUR_FrontEnd_GetNormHitDist(float hitDist, float viewZ, vec3 parameters, float roughness)
 {
-    return clamp(hitDist / max(REBLUR_GetHitDistanceNormalization(viewZ, parameters, roughness), 1e-15), 0.0, 1.0);
+    float n = hitDist / max(REBLUR_GetHitDistanceNormalization(viewZ, parameters, roughness), 1e-15);
+    return NRD_IsNan(n) ? 0.0 : clamp(n, 0.0, 1.0); // clamp() of NaN is undefined
 }
 
 float REBLUR_GetHitDist(float normHitDist, float viewZ, vec3 parameters, float roughness)
@@ -215,10 +236,34 @@ vec4 REBLUR_FrontEnd_PackRadianceAndNormHitDist(vec3 radiance, float normHitDist
     return vec4(NRD_LinearToYCoCg(radiance), normHitDist);
 }
 
-// Returns (linear radiance, normalised hit distance or history length).
+// Not finite becomes "no direction". Clamped: a longer vector times the largest luma overflows half floats.
+vec3 NRD_SanitizeDirection(vec3 direction, bool sanitize)
+{
+    if (!sanitize) return direction;
+    return NRD_IsRadianceFinite(direction) ? clamp(direction, -1.0, 1.0) : vec3(0.0, 0.0, 0.0);
+}
+
+// Returns (linear radiance, normalised hit distance or history length): OUT_DIFF_RADIANCE_HITDIST,
+// OUT_SPEC_RADIANCE_HITDIST. What the ..._SH and directional denoisers return is unpacked in nrd_resolve.glsl.
 vec4 REBLUR_BackEnd_UnpackRadianceAndNormHitDist(vec4 data)
 {
     return vec4(NRD_YCoCgToLinear(data.xyz), data.w);
+}
+
+// IN_DIFF_SH0, IN_SPEC_SH0; sh1 is IN_DIFF_SH1, IN_SPEC_SH1.
+// direction: world space, of the first bounce's ray, unit; several paths of the lobe: their mean, then shorter.
+vec4 REBLUR_FrontEnd_PackSh(vec3 radiance, float normHitDist, vec3 direction, out vec4 sh1, bool sanitize)
+{
+    vec4 sh0 = REBLUR_FrontEnd_PackRadianceAndNormHitDist(radiance, normHitDist, sanitize);
+    sh1 = vec4(NRD_SanitizeDirection(direction, sanitize) * sh0.x, 0.0);
+    return sh0;
+}
+
+// IN_DIFF_DIRECTION_HITDIST: ambient occlusion and the bent direction it came from.
+vec4 REBLUR_FrontEnd_PackDirectionalOcclusion(vec3 direction, float normHitDist, bool sanitize)
+{
+    if (sanitize) normHitDist = NRD_IsFinite(normHitDist) ? clamp(normHitDist, 0.0, 1.0) : 0.0;
+    return vec4(NRD_SanitizeDirection(direction, sanitize) * normHitDist, normHitDist);
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -254,5 +299,13 @@ void NRD_MaterialFactors(vec3 normal, vec3 view, vec3 albedo, vec3 F0, float rou
     diffFactor = (vec3(1.0, 1.0, 1.0) - env) * albedo * 0.98 + 0.02;
     specFactor = env * (0.1 + 0.9 * roughness) * 0.98 + 0.02;
 }
+
+// In the order of their needs.
+#include "nrd_resolve.glsl"
+#include "nrd_restore.glsl"
+#include "nrd_rejitter.glsl"
+#include "nrd_cavity.glsl"
+#include "nrd_lobe_trimming.glsl"
+#include "nrd_strands.glsl"
 
 #endif

@@ -124,6 +124,12 @@ HistoryRead mixedRead(SurfaceTrack surface, VirtualTrack image, float amount)
     return read;
 }
 
+void showVirtualAmount(ivec2 pixel, float amount)
+{
+    bool isShown = all(equal(pixel & (VIRTUAL_AMOUNT_STEP - 1), ivec2(VIRTUAL_AMOUNT_STEP / 2)));
+    if (g.hasValidation != 0u && isShown) imageStore(gOut_VirtualAmount, pixel / VIRTUAL_AMOUNT_STEP, vec4(amount));
+}
+
 LobeResult accumulateSpecular(Surface s, SurfaceTrack surface)
 {
     LobeResult result;
@@ -154,6 +160,7 @@ LobeResult accumulateSpecular(Surface s, SurfaceTrack surface)
     float amount = virtualAmount(n.y, n.x) * (isAttached ? 1.0 : motion);
     // A position between two different surfaces would smear.
     if (!surface.isCubic || !image.isCubic) amount = amount >= 0.5 ? 1.0 : 0.0;
+    showVirtualAmount(s.pixel, amount);
     HistoryRead read = mixedRead(surface, image, amount);
     float length = mix(n.x, n.y, amount);
     result.n = mix(nFix.x, nFix.y, amount);

@@ -66,10 +66,13 @@ struct Sums
     float count;
 };
 
-// Parts of a row by their distance from the middle: 0 and 1, then 2, then 3 and 4. The anti-firefly window is 9x9
-// without its inner 3x3, the window of the fast clamp is 5x5; both are sums of parts. Nothing is ever subtracted: beside
-// a firefly that would leave only rounding error.
-shared Sums sRow[3][kHalo.y][8];
+// Sums over pieces of a row: all nine texels; without the inner three; the inner five. The anti-firefly window is 9x9
+// without its inner 3x3, the window of the fast clamp is 5x5; both are sums of such. Nothing is ever subtracted: beside
+// a firefly that would leave only rounding error. One array per member keeps neighbouring lanes in neighbouring banks.
+const int kAll = 0, kOuter = 1, kInner = 2;
+shared vec2 sFirst[3][kHalo.y][8];
+shared vec2 sSecond[3][kHalo.y][8];
+shared float sCount[3][kHalo.y][8];
 
 void add(inout Sums sums, vec2 value)
 {
@@ -88,22 +91,42 @@ void add(inout Sums sums, Sums other)
 
 const Sums kNoSums = Sums(vec2(0.0), vec2(0.0), 0.0);
 
+Sums rowSums(int piece, ivec2 local)
+{
+    return Sums(sFirst[piece][local.y][local.x], sSecond[piece][local.y][local.x], sCount[piece][local.y][local.x]);
+}
+
+void storeRowSums(int piece, ivec2 local, Sums sums)
+{
+    sFirst[piece][local.y][local.x] = sums.first;
+    sSecond[piece][local.y][local.x] = sums.second;
+    sCount[piece][local.y][local.x] = sums.count;
+}
+
+void addPair(inout Sums sums, ivec2 middle, int distance)
+{
+    add(sums, sFast[middle.y][middle.x - distance]);
+    add(sums, sFast[middle.y][middle.x + distance]);
+}
+
 void sumRows()
 {
     for (int i = int(gl_LocalInvocationIndex); i < 8 * kHalo.y; i += 128)
     {
-        ivec2 local = ivec2(i % 8, i / 8);
-        const int bounds[4] = int[](0, 2, 3, 5);
-        for (int part = 0; part < 3; part++)
-        {
-            Sums sums = kNoSums;
-            for (int x = bounds[part]; x < bounds[part + 1]; x++)
-            {
-                add(sums, sFast[local.y][local.x + kRadius + x]);
-                if (x > 0) add(sums, sFast[local.y][local.x + kRadius - x]);
-            }
-            sRow[part][local.y][local.x] = sums;
-        }
+        ivec2 local = ivec2(i % 8, i / 8), middle = local + ivec2(kRadius, 0);
+        Sums three = kNoSums, inner = kNoSums, outer = kNoSums;
+        add(three, sFast[middle.y][middle.x]);
+        addPair(three, middle, 1);
+        addPair(inner, middle, 2);
+        outer = inner;
+        add(inner, three);
+        storeRowSums(kInner, local, inner);
+        if (!kHasAntiFirefly || kIsBounded) continue;
+        addPair(outer, middle, 3);
+        addPair(outer, middle, 4);
+        storeRowSums(kOuter, local, outer);
+        add(outer, three);
+        storeRowSums(kAll, local, outer);
     }
 }
 
@@ -119,29 +142,24 @@ Moments makeMoments(Sums sums, float count, vec2 centre)
 // The inner 3x3 is left out: a firefly's own blob must not widen the bounds.
 Moments wideMoments(vec2 centre)
 {
-    ivec2 local = ivec2(gl_LocalInvocationID.xy);
+    ivec2 local = ivec2(gl_LocalInvocationID.xy) + ivec2(0, kRadius);
     Sums sums = kNoSums;
-    for (int y = -4; y <= 4; y++)
-    {
-        if (abs(y) > 1) add(sums, sRow[0][local.y + kRadius + y][local.x]);
-        add(sums, sRow[1][local.y + kRadius + y][local.x]);
-        add(sums, sRow[2][local.y + kRadius + y][local.x]);
-    }
+    for (int y = -4; y <= 4; y++) add(sums, rowSums(abs(y) > 1 ? kAll : kOuter, local + ivec2(0, y)));
     return makeMoments(sums, 72.0, centre);
 }
 
 // The centre counts with the value it has now, not the one that was loaded.
 Moments nearMoments(vec2 centre)
 {
-    ivec2 local = ivec2(gl_LocalInvocationID.xy);
+    ivec2 local = ivec2(gl_LocalInvocationID.xy) + ivec2(0, kRadius);
     Sums sums = Sums(centre, centre * centre, 1.0);
-    for (int y = -2; y <= 2; y++)
+    addPair(sums, local + ivec2(kRadius, 0), 1);
+    addPair(sums, local + ivec2(kRadius, 0), 2);
+    for (int y = 1; y <= 2; y++)
     {
-        if (y != 0) add(sums, sRow[0][local.y + kRadius + y][local.x]);
-        add(sums, sRow[1][local.y + kRadius + y][local.x]);
+        add(sums, rowSums(kInner, local - ivec2(0, y)));
+        add(sums, rowSums(kInner, local + ivec2(0, y)));
     }
-    add(sums, sFast[local.y + kRadius][local.x + kRadius - 1]);
-    add(sums, sFast[local.y + kRadius][local.x + kRadius + 1]);
     return makeMoments(sums, 25.0, centre);
 }
 

@@ -50,6 +50,8 @@ layout(set = SET_RESOURCES, binding = FIRST_HISTORY + 2 * LOBE_NUM - 1) uniform 
 layout(set = SET_RESOURCES, binding = FIRST_OUT + 2 * LOBE_NUM - 1) uniform writeonly image2D gOut_SpecularSh;
 #endif
 layout(set = SET_RESOURCES, binding = FIRST_SCALAR_OUT + 2 + 2 * IS_STABILIZED) uniform writeonly image2D gOut_Track;
+layout(set = SET_RESOURCES, binding = FIRST_SCALAR_OUT + 3 + 2 * IS_STABILIZED)
+uniform writeonly image2D gOut_VirtualAmount;
 #endif
 layout(set = SET_RESOURCES, binding = FIRST_SCALAR) uniform texture2D gIn_Fast;
 layout(set = SET_RESOURCES, binding = FIRST_SCALAR_OUT) uniform writeonly image2D gOut_Fast;

@@ -15,6 +15,8 @@ struct ReblurConstants
     vec4 frustumPrev;
     vec4 cameraDelta;     // .xyz previous minus current camera position, .w 1 = orthographic
     vec4 viewDirection;   // .xyz surface to camera in world space, for orthographic projections
+    vec4 cameraPosition;  // .xyz absolute, modulo 1024 units; only to show world positions
+    vec4 cameraJitter;    // .xy pixels, .zw last frame's; only to show it
     vec4 rotatorPrePass;  // cos, sin, -sin, cos
     vec4 rotatorBlur;
     vec4 rotatorPostBlur;
@@ -68,6 +70,7 @@ struct ReblurConstants
     uint isHistoryReset;      // 1: every history length is 0 in this frame
     uint isPrepassTrackingOnly;
     uint returnHistoryLength;
+    uint hasValidation;       // 1: OUT_VALIDATION is drawn
     uint isCutDetected;       // 1: the texture "Cut" holds the device's own opinion
     uint checkerboard;        // value of CheckerboardMode
     float checkerboardResolve;

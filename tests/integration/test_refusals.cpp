@@ -243,3 +243,29 @@ TEST_CASE("a device without a storage format says which slot asked for it", "[un
     CHECK(integration.Denoise(test::fakeCommandBuffer(), &identifier, 1, f.pool) != Result::SUCCESS);
     CHECK(std::string(integration.GetLastMessage()).find("_SIGNAL") != std::string::npos);
 }
+
+TEST_CASE("the validation overlay needs its output while it is enabled", "[unit]")
+{
+    RecordingFixture f({{3, Denoiser::REBLUR_DIFFUSE_SPECULAR}});
+    f.fillReblurSlots();
+    f.requireCreated();
+    const auto beginFrame = [&](bool isEnabled)
+    {
+        require(f.integration.NewFrame(), f.integration);
+        f.settings = test::stillCamera(f.width, f.height, f.frameIndex++);
+        f.settings.enableValidation = isEnabled;
+        require(f.integration.SetCommonSettings(f.settings), f.integration);
+    };
+    beginFrame(false);
+    require(f.denoise({3}), f.integration);
+    beginFrame(true);
+    f.device->clearCalls();
+    requireRefusal(f.denoise({3}), f.integration,
+                   "OUT_VALIDATION: the slot is empty, but REBLUR_DIFFUSE_SPECULAR needs it");
+    requireNothingRecorded(f);
+    f.pool[ResourceType::OUT_VALIDATION] = f.image(0x700, VK_FORMAT_R8_UNORM);
+    requireRefusal(f.denoise({3}), f.integration,
+                   "OUT_VALIDATION: the format is R8_UNORM, which keeps less than RGBA8_UNORM, the least that serves");
+    f.pool[ResourceType::OUT_VALIDATION] = f.image(0x701, VK_FORMAT_R8G8B8A8_UNORM);
+    require(f.denoise({3}), f.integration);
+}

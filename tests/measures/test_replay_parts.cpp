@@ -64,6 +64,7 @@ CaptureInfo twoFrames()
     CaptureInfo info;
     info.width = 64;
     info.height = 48;
+    info.metersPerUnit = 0.5;
     CaptureFrame frame;
     frame.isCut = true;
     frame.jitter = {0.25, -0.25};
@@ -167,6 +168,8 @@ TEST_CASE("a frame's settings come from it and the frame before, and a cut has n
     CHECK(first.motionVectorScale[2] == 1.0f);
     CHECK(first.resourceSize[0] == 64);
     CHECK(first.rectSizePrev[1] == 48);
+    CHECK(first.metersToUnits == 2.0f);
+    CHECK(hitDistanceParametersOf(info).A * first.metersToUnits == 3.0f); // the capture's, in world units
 
     const nrd::CommonSettings second = commonSettingsOf(info, 1);
     CHECK(second.accumulationMode == nrd::AccumulationMode::CONTINUE);
@@ -205,6 +208,8 @@ TEST_CASE("a report has the stated shape and reads back", "[unit]")
     report.frames = {frame};
     report.noisy = frame.noisy;
     report.denoised[static_cast<size_t>(Signal::NormHitDist)].rmse = 0.25;
+    report.denoised[static_cast<size_t>(Signal::SpecularNormHitDist)].rmse = 0.125;
+    report.denoised[static_cast<size_t>(Signal::SpecularNormHitDist)].flicker = 0.0625;
     const std::filesystem::path file = tempFile("nrd-test-report.json");
     writeReport(file, report);
     const nlohmann::json json = nlohmann::json::parse(std::ifstream(file));
@@ -216,12 +221,17 @@ TEST_CASE("a report has the stated shape and reads back", "[unit]")
     CHECK(json["frames"][0]["noisy"]["composed"] == nlohmann::json({{"psnr", 20.0}}));
     CHECK(json["frames"][0]["denoised"].empty());
     CHECK(json["mean"]["denoised"]["normHitDist"]["rmse"] == 0.25);
+    CHECK(json["mean"]["denoised"]["specularNormHitDist"] == nlohmann::json({{"rmse", 0.125}, {"flicker", 0.0625}}));
+    CHECK_FALSE(json["mean"].contains("extracted"));
+    CHECK_FALSE(json["frames"][0].contains("extracted"));
 
     const ReplayReport read = readReport(file);
     CHECK(read.denoiser == "REFERENCE");
     CHECK(*read.noisy[0].psnr == 20.0);
     CHECK(*read.denoised[static_cast<size_t>(Signal::NormHitDist)].rmse == 0.25);
     CHECK_THAT(formatReport(report, {}), containing("20.00"));
+    CHECK_THAT(formatReport(report, {}), containing("specularNormHitDist    flicker"));
+    CHECK_THAT(formatSummary({read}, {{}}), containing("0.1250"));
     PeerFigures peer;
     peer.denoised[0].psnr = 33.125;
     CHECK_THAT(formatSummary({report}, {peer}), containing("33.12"));
@@ -230,5 +240,40 @@ TEST_CASE("a report has the stated shape and reads back", "[unit]")
     CHECK_THROWS_AS(readPeer(file, "some capture", "REFERENCE"), FileError);
     std::ofstream(file) << "[]";
     CHECK_FALSE(readPeer(file, "some capture", "REFERENCE"));
+    std::filesystem::remove(file);
+}
+
+TEST_CASE("extracted colours have rows of their own in reports and tables", "[unit]")
+{
+    ReplayReport report;
+    report.capture = "some capture";
+    report.denoiser = "REBLUR_DIFFUSE_SH";
+    SequenceFrame frame;
+    frame.noisy[0].psnr = 20.0;
+    frame.denoised[0].psnr = 31.0;
+    frame.extracted[0].psnr = 30.0;
+    report.frames = {frame};
+    report.noisy = frame.noisy;
+    report.denoised = frame.denoised;
+    report.extracted = frame.extracted;
+    const std::filesystem::path file = tempFile("nrd-test-extracted.json");
+    writeReport(file, report);
+    const nlohmann::json json = nlohmann::json::parse(std::ifstream(file));
+    CHECK(json["frames"][0]["denoised"]["composed"]["psnr"] == 31.0);
+    CHECK(json["frames"][0]["extracted"]["composed"]["psnr"] == 30.0);
+    CHECK(json["mean"]["extracted"]["composed"]["psnr"] == 30.0);
+    const ReplayReport read = readReport(file);
+    CHECK(*read.extracted[0].psnr == 30.0);
+    CHECK_THAT(formatReport(report, {}), containing("extracted"));
+
+    PeerFigures peer;
+    peer.denoised[0].psnr = 29.0;
+    const std::string text = formatSummary({read}, {peer});
+    CHECK_THAT(text, containing("REBLUR_DIFFUSE_SH resolved"));
+    CHECK_THAT(text, containing("REBLUR_DIFFUSE_SH extracted"));
+    // The peer's figures are of resolved colours.
+    const std::string markdown = formatSummary({read}, {peer}, TableStyle::Markdown);
+    CHECK_THAT(markdown, containing("| REBLUR_DIFFUSE_SH resolved | some capture | 20.00 \u2192 31.00 (29.00) | |"));
+    CHECK_THAT(markdown, containing("| REBLUR_DIFFUSE_SH extracted | some capture | 20.00 \u2192 30.00 | |"));
     std::filesystem::remove(file);
 }

@@ -3,11 +3,14 @@
 
 #include "capture.h"
 #include "exr.h"
+#include "replay_denoisers.h"
 
 #include <nlohmann/json.hpp>
 
+#include <cmath>
 #include <cstdio>
 #include <fstream>
+#include <iterator>
 #include <random>
 #include <sys/wait.h>
 
@@ -43,7 +46,13 @@ void fill(Planes& planes, Channel first, std::initializer_list<float> values)
     for (float value : values) planes[next(first, offset++)].assign(planes.pixelCount(), value);
 }
 
-// A wall that faces the camera, a strip of sky on top; radiance and hit distances are constant.
+struct CaptureOptions
+{
+    bool hasNormals = true;
+    bool isNoisy = false; // diffuse radiance is its constant times [0; 2)
+};
+
+// A wall that faces the camera, a strip of sky on top; hit distances are constant, and so is radiance but for noise.
 Planes makeFrame()
 {
     Planes frame(kWidth, kHeight);
@@ -69,7 +78,8 @@ Planes makeReference()
 {
     Planes reference(kWidth, kHeight);
     fill(reference, Channel::RefDiffuseR, {0.5f, 1.0f, 0.25f, 0.5f});
-    fill(reference, Channel::RefSpecularR, {0.25f, 0.5f, 2.0f});
+    const double range = hitDistanceNormalization(CaptureInfo(), 5.0, 0.5);
+    fill(reference, Channel::RefSpecularR, {0.25f, 0.5f, 2.0f, static_cast<float>(1.75 / range)});
     fill(reference, Channel::RefComposedR, {0.3125f, 0.625f, 0.625f});
     for (size_t i = 0; i < kWidth * 4; i++)
         for (size_t c = static_cast<size_t>(Channel::RefDiffuseR); c < kChannelCount; c++)
@@ -77,8 +87,19 @@ Planes makeReference()
     return reference;
 }
 
-std::filesystem::path makeCapture(const std::filesystem::path& folder, bool hasNormals)
+void addNoise(Planes& frame, std::mt19937& rng)
 {
+    std::uniform_real_distribution<float> factor(0.0f, 2.0f);
+    for (size_t i = 0; i < frame.pixelCount(); i++)
+    {
+        const float f = factor(rng);
+        for (int c = 0; c < 3; c++) frame[next(Channel::DiffuseR, c)][i] *= f;
+    }
+}
+
+std::filesystem::path makeCapture(const std::filesystem::path& folder, const CaptureOptions& options = {})
+{
+    std::mt19937 rng(1);
     CaptureInfo info;
     info.name = "constant";
     info.width = kWidth;
@@ -90,13 +111,26 @@ std::filesystem::path makeCapture(const std::filesystem::path& folder, bool hasN
         frame.viewToClip = {1.0, 0, 0, 0, 0, 1.5, 0, 0, 0, 0, 1.00001, 1, 0, 0, -0.0100001, 0};
         frame.worldToView = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
         Planes planes = makeFrame();
-        if (!hasNormals)
+        if (options.isNoisy) addNoise(planes, rng);
+        if (!options.hasNormals)
             for (int c = 0; c < 3; c++) planes[next(Channel::NormalX, c)].clear();
         writer.addFrame(frame, planes);
         if (i >= 7) writer.addReference(static_cast<size_t>(i), makeReference());
     }
     writer.finish();
     return folder;
+}
+
+// What no capture writer does: takes the channels whose names begin so out of every frame.
+void dropChannels(const std::filesystem::path& capture, const std::string& prefix)
+{
+    for (const auto& entry : std::filesystem::directory_iterator(capture))
+    {
+        if (entry.path().filename().string().rfind("frame_", 0) != 0) continue;
+        ExrPicture picture = readExr(entry.path());
+        std::erase_if(picture.channels, [&](const ExrChannel& c) { return c.name.rfind(prefix, 0) == 0; });
+        writeExr(entry.path(), picture);
+    }
 }
 
 struct Folder
@@ -114,7 +148,7 @@ struct Folder
 TEST_CASE("a replay of a constant signal gives the signal, its files and its report", "[gpu]")
 {
     Folder folder;
-    const std::string capture = makeCapture(folder.path / "capture", true).string();
+    const std::string capture = makeCapture(folder.path / "capture").string();
     const std::string out = (folder.path / "out").string();
     const std::string report = (folder.path / "report.json").string();
     const Outcome outcome = run(capture + " --denoiser REBLUR_DIFFUSE_SPECULAR --validation --out " + out +
@@ -149,10 +183,106 @@ TEST_CASE("a replay of a constant signal gives the signal, its files and its rep
     CHECK_THAT(summary.text, containing("constant"));
 }
 
+TEST_CASE("every REBLUR denoiser keeps a constant signal, and each of its signals is measured", "[gpu]")
+{
+    Folder folder;
+    const std::string capture = makeCapture(folder.path / "capture").string();
+    const std::string report = (folder.path / "report.json").string();
+    for (const ReplayDenoiser& denoiser : replayDenoisers())
+    {
+        if (denoiser.family != Family::Reblur) continue;
+        const std::string name = denoiser.name;
+        const Outcome outcome = run(capture + " --denoiser " + name + " --validation --report " + report);
+        INFO(name << ": " << outcome.text);
+        REQUIRE(outcome.exitCode == 0);
+        const nlohmann::json mean = nlohmann::json::parse(std::ifstream(report))["mean"];
+        const bool isSh = name.find("_SH") != std::string::npos;
+        REQUIRE(mean.contains("extracted") == isSh);
+        for (Signal signal : denoiser.signals)
+        {
+            const SignalInfo& info = signalInfo(signal);
+            INFO(info.name);
+            const nlohmann::json& noisy = mean["noisy"][info.name];
+            const nlohmann::json& measured = mean[isSh ? "extracted" : "denoised"][info.name];
+            CHECK(measured["psnr"].get<double>() > 55.0);
+            CHECK(measured["flicker"].get<double>() < 1e-3);
+            CHECK(noisy["psnr"].get<double>() > 100.0);
+            // A resolve knows the surface: light from straight ahead on a wall that is seen at up to 45 degrees.
+            if (isSh && info.isRadiance) CHECK(mean["denoised"][info.name]["psnr"].get<double>() > 15.0);
+            if (!info.isRadiance) CHECK(measured["rmse"].get<double>() < 2e-3);
+        }
+    }
+}
+
+TEST_CASE("--resolve chooses what an SH signal's colour is", "[gpu]")
+{
+    Folder folder;
+    const std::string capture = makeCapture(folder.path / "capture").string();
+    const std::string report = (folder.path / "report.json").string();
+    const auto meanOf = [&](const std::string& arguments)
+    {
+        const Outcome outcome = run(capture + " --denoiser REBLUR_SPECULAR_SH --report " + report + arguments);
+        INFO(outcome.text);
+        REQUIRE(outcome.exitCode == 0);
+        return nlohmann::json::parse(std::ifstream(report))["mean"];
+    };
+    const nlohmann::json restored = meanOf(""), sg = meanOf(" --resolve sg"), sh = meanOf(" --resolve sh"),
+                         none = meanOf(" --resolve none");
+    CHECK(restored["extracted"] == sg["extracted"]);
+    // The recorded wall is flat, so there is nothing to restore.
+    CHECK(restored["denoised"]["specular"]["psnr"].get<double>() ==
+          Approx(restored["extracted"]["specular"]["psnr"].get<double>()).margin(0.1));
+    CHECK(none["denoised"] == sg["extracted"]);
+    CHECK(sh["extracted"] == sg["extracted"]);
+    CHECK_FALSE(none.contains("extracted"));
+    CHECK(sg["denoised"]["specular"] != sg["extracted"]["specular"]);
+    CHECK(sh["denoised"]["specular"] != sg["denoised"]["specular"]);
+}
+
+TEST_CASE("confidence and threshold mix reach the denoiser as constants", "[gpu]")
+{
+    Folder folder;
+    const std::string capture = makeCapture(folder.path / "capture", {.isNoisy = true}).string();
+    const std::string report = (folder.path / "report.json").string();
+    const std::string flags = " --set isHistoryConfidenceAvailable=true --set isDisocclusionThresholdMixAvailable=true";
+    const auto psnrOf = [&](const std::string& arguments)
+    {
+        const Outcome outcome = run(capture + " --denoiser REBLUR_DIFFUSE --validation --report " + report + arguments);
+        INFO(outcome.text);
+        REQUIRE(outcome.exitCode == 0);
+        return nlohmann::json::parse(std::ifstream(report))["mean"]["denoised"]["diffuse"]["psnr"].get<double>();
+    };
+    const double plain = psnrOf("");
+    CHECK(psnrOf(flags) == Approx(plain).epsilon(1e-6)); // 1 and 0 are what the denoiser takes without them
+    // Without history the picture is blurred more, which happens to suit a flat wall.
+    CHECK(std::abs(psnrOf(flags + " --confidence 0 --disocclusion-mix 1") - plain) > 1.0);
+}
+
+TEST_CASE("the validation overlay comes out as pictures", "[gpu]")
+{
+    Folder folder;
+    const std::string capture = makeCapture(folder.path / "capture").string();
+    const std::string out = (folder.path / "out").string();
+    const Outcome outcome =
+        run(capture + " --denoiser REBLUR_DIFFUSE --validation --frames 2 --set enableValidation=true --out " + out);
+    INFO(outcome.text);
+    REQUIRE(outcome.exitCode == 0);
+    const auto bytesOf = [&](const char* name)
+    {
+        std::ifstream file(folder.path / "out" / name, std::ios::binary);
+        return std::string(std::istreambuf_iterator<char>(file), {});
+    };
+    const std::string first = bytesOf("validation_0000.png"), second = bytesOf("validation_0001.png");
+    REQUIRE(first.rfind("\x89PNG", 0) == 0);
+    REQUIRE(second.rfind("\x89PNG", 0) == 0);
+    CHECK(second != first);                        // history lengths have grown
+    CHECK(second != bytesOf("denoised_0001.png")); // something is drawn over the picture
+}
+
 TEST_CASE("REFERENCE and NONE replay too", "[gpu]")
 {
     Folder folder;
-    const std::string capture = makeCapture(folder.path / "capture", true).string();
+    const std::string capture = makeCapture(folder.path / "capture").string();
     const std::string report = (folder.path / "report.json").string();
     const Outcome reference = run(capture + " --denoiser REFERENCE --validation --report " + report);
     INFO(reference.text);
@@ -172,8 +302,10 @@ TEST_CASE("REFERENCE and NONE replay too", "[gpu]")
 TEST_CASE("bad input ends in one sentence and exit code 1", "[gpu]")
 {
     Folder folder;
-    const std::string capture = makeCapture(folder.path / "capture", true).string();
-    const std::string poor = makeCapture(folder.path / "poor", false).string();
+    const std::string capture = makeCapture(folder.path / "capture").string();
+    const std::string poor = makeCapture(folder.path / "poor", {.hasNormals = false}).string();
+    const std::string flat = makeCapture(folder.path / "flat").string();
+    dropChannels(flat, "specular.D");
     const std::pair<std::string, const char*> rows[] = {
         {"", "no capture"},
         {"--bogus", "--bogus"},
@@ -183,6 +315,11 @@ TEST_CASE("bad input ends in one sentence and exit code 1", "[gpu]")
         {capture + " --denoiser REBLUR_DIFFUSE_SPECULAR --set foo=1", "foo"},
         {capture + " --denoiser REBLUR_DIFFUSE_SPECULAR --set splitScreen=7", "splitScreen"},
         {capture + " --denoiser REBLUR_DIFFUSE_SPECULAR --device none-such", "none-such"},
+        {flat + " --denoiser REBLUR_SPECULAR_SH", "specular.DX"},
+        {capture + " --denoiser REBLUR_DIFFUSE --confidence 0.5", "isHistoryConfidenceAvailable"},
+        {capture + " --denoiser REBLUR_DIFFUSE --disocclusion-mix 0.5", "isDisocclusionThresholdMixAvailable"},
+        {capture + " --denoiser REBLUR_DIFFUSE --confidence 2", "--confidence"},
+        {capture + " --denoiser REBLUR_SPECULAR_SH --resolve best", "--resolve"},
         {capture + " --denoiser NONE --peer /none.json", "/none.json"},
         {capture + " --denoiser NONE --frames 0", "--frames"},
         {capture + "-none --denoiser NONE", "capture-none"},

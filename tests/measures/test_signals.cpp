@@ -1,6 +1,6 @@
 #include "pictures.h"
 
-#include "frame_measures.h"
+#include "sequence.h"
 
 #include <cmath>
 #include <limits>
@@ -153,6 +153,28 @@ TEST_CASE("sky pixels count in the composed picture only", "[unit]")
     CHECK_FALSE(m[static_cast<size_t>(Signal::Composed)].flicker);         // no frame before
 }
 
+TEST_CASE("specular occlusion is measured where the references have it, without the sky", "[unit]")
+{
+    Planes frame = makeFrame();
+    frame[Channel::ViewZ][3] = -1000.0f;
+    Planes reference = makeReference();
+    setAll(reference, Channel::RefSpecularNormHitDist, 1, 0.25f);
+    Signals noisy = noisySignals(frame, makeInfo(), setOf({Signal::SpecularNormHitDist}));
+    const Signals expected = referenceSignals(reference, frame);
+    REQUIRE(noisy.has(Signal::SpecularNormHitDist));
+    noisy[Signal::SpecularNormHitDist].planes[0] = {0.25f, 0.25f, 0.55f, 1.0f};
+    const Comparable a = makeComparable(noisy), b = makeComparable(expected);
+    const Mask mask = surfaceMask(frame, 100.0);
+    Signals steady = noisy;
+    steady[Signal::SpecularNormHitDist].planes[0] = {0.25f, 0.25f, 0.25f, 0.0f};
+    const Comparable before = makeComparable(steady);
+    const MeasuredFrame frameBefore{before, b, mask};
+    const SignalMeasures m = measureFrame({a, b, mask}, &frameBefore)[static_cast<size_t>(Signal::SpecularNormHitDist)];
+    CHECK(*m.rmse == Approx(0.3 / std::sqrt(3.0)));
+    CHECK(*m.psnr == Approx(-20.0 * std::log10(0.3 / std::sqrt(3.0))));
+    CHECK(*m.flicker == Approx(0.1));
+}
+
 TEST_CASE("a mean is over the frames that have the measure", "[unit]")
 {
     FrameMeasures a, b;
@@ -164,4 +186,24 @@ TEST_CASE("a mean is over the frames that have the measure", "[unit]")
     CHECK(*mean[0].flicker == 0.5);
     CHECK_FALSE(mean[0].ssim);
     CHECK_FALSE(mean[1].psnr);
+}
+
+TEST_CASE("a sequence measures extracted colours on their own", "[unit]")
+{
+    const Planes frame = makeFrame(), reference = makeReference();
+    const CaptureInfo info = makeInfo();
+    const SignalSet produced = setOf({Signal::Diffuse});
+    const Signals resolved = referenceSignals(reference, frame); // perfect
+    Signals extracted = noisySignals(frame, info, produced);
+    SequenceMeasurer measurer(info, produced);
+    for (size_t i = kFirstMeanFrame; i < kFirstMeanFrame + 2; i++)
+        measurer.add(i, frame, reference, &resolved, &extracted);
+    const size_t s = static_cast<size_t>(Signal::Diffuse), composed = static_cast<size_t>(Signal::Composed);
+    CHECK(*measurer.meanDenoised()[s].psnr == kMaxPsnr);
+    CHECK(*measurer.meanExtracted()[s].psnr == *measurer.meanNoisy()[s].psnr);
+    CHECK(*measurer.meanExtracted()[composed].flicker == 0.0);
+    CHECK(*measurer.meanExtracted()[composed].psnr < kMaxPsnr);
+    SequenceMeasurer plain(info, produced);
+    plain.add(kFirstMeanFrame, frame, reference, &resolved);
+    CHECK_FALSE(plain.meanExtracted()[composed].psnr);
 }

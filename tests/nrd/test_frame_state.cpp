@@ -246,3 +246,14 @@ TEST_CASE("the frame clock is calm in steady state and quick after jumps", "[uni
     CHECK(frameRateScale(50.0) == 1.0f);
     CHECK(frameRateScale(1000.0 / 120.0) == Approx(4.0f));
 }
+
+TEST_CASE("the camera's place within a cube of whole units survives large coordinates of either sign", "[unit]")
+{
+    CommonSettings common = makeCommon();
+    setCameraPosition(common.worldToViewMatrix, 1024.25f, -0.75f, -2048.5f);
+    const FrameState state = makeFrameState(common, 1.0f);
+    CHECK(state.cameraPosition.x == Approx(0.25f));
+    CHECK(state.cameraPosition.y == Approx(1023.25f));
+    CHECK(state.cameraPosition.z == Approx(1023.5f));
+    CHECK(state.cameraPosition.w == 0.0f);
+}

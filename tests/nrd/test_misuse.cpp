@@ -98,7 +98,6 @@ std::vector<Common> scalarMisuses()
         {"splitScreen", [](CommonSettings& s) { s.splitScreen = 1.25f; }, "1.25"},
         {"splitScreen", [](CommonSettings& s) { s.splitScreen = kNan; }, "nan"},
         {"accumulationMode", [](CommonSettings& s) { s.accumulationMode = AccumulationMode(9); }, "9"},
-        {"enableValidation", [](CommonSettings& s) { s.enableValidation = true; }, "", Result::UNSUPPORTED},
     };
 }
 
@@ -148,6 +147,7 @@ std::vector<Reblur> filterMisuses()
         {"planeDistanceSensitivity", [](ReblurSettings& s) { s.planeDistanceSensitivity = 0.0f; }, "0"},
         {"fireflySuppressorMinRelativeScale", [](ReblurSettings& s) { s.fireflySuppressorMinRelativeScale = 4.0f; },
          "4"},
+        {"prePassMode", [](ReblurSettings& s) { s.prePassMode = PrePassMode(5); }, "5"},
         {"checkerboardMode", [](ReblurSettings& s) { s.checkerboardMode = CheckerboardMode(7); }, "7"},
         {"hitDistanceReconstructionMode",
          [](ReblurSettings& s) { s.hitDistanceReconstructionMode = HitDistanceReconstructionMode(9); }, "9"},

@@ -48,4 +48,14 @@ TEST_CASE("frame numbers come from time", "[unit]")
     CHECK(GetMaxAccumulatedFrameNum(10.0f, 60.0f) == 63);
     CHECK(GetMaxAccumulatedFrameNum(-1.0f, 60.0f) == 0);
     CHECK(GetMaxAccumulatedFrameNum(NAN, 60.0f) == 0);
+    CHECK(GetMaxAccumulatedFrameNum(0.5f, NAN) == 0);
+    CHECK(GetMaxAccumulatedFrameNum(-1.0f, -60.0f) == 0);
+    CHECK(GetMaxAccumulatedFrameNum(0.0f, INFINITY) == 0);
+    CHECK(GetMaxAccumulatedFrameNum(0.0f, 0.0f) == 0);
+    CHECK(GetMaxAccumulatedFrameNum(1e30f, 1e30f) == 63);
+    CHECK(GetMaxAccumulatedFrameNum(INFINITY, 60.0f) == 63);
+    CHECK(GetMaxAccumulatedFrameNum(1.0f, 63.0f) == 63);
+    CHECK(GetMaxAccumulatedFrameNum(1.0f, 62.4f) == 62);
+    CHECK(GetMaxAccumulatedFrameNum(1.0f, 0.49f) == 0);
+    CHECK(GetMaxAccumulatedFrameNum(0.5f, 30.0f) == 15);
 }

@@ -71,6 +71,20 @@ std::vector<uint64_t> packSignal(const Signal& signal)
     for (const glm::vec4& v : signal) texels.push_back(packHalf4(v));
     return texels;
 }
+// The same images under the names that the other variants give them; what a denoiser does not need it does not look at.
+void fillVariantSlots(nrd::NrdUserPool& pool)
+{
+    using Type = nrd::ResourceType;
+    for (const Type slot :
+         {Type::IN_DIFF_HITDIST, Type::IN_DIFF_DIRECTION_HITDIST, Type::IN_DIFF_SH0, Type::IN_DIFF_SH1})
+        pool[slot] = pool[Type::IN_DIFF_RADIANCE_HITDIST];
+    for (const Type slot : {Type::IN_SPEC_HITDIST, Type::IN_SPEC_SH0, Type::IN_SPEC_SH1})
+        pool[slot] = pool[Type::IN_SPEC_RADIANCE_HITDIST];
+    for (const Type slot : {Type::OUT_DIFF_HITDIST, Type::OUT_DIFF_DIRECTION_HITDIST, Type::OUT_DIFF_SH0})
+        pool[slot] = pool[Type::OUT_DIFF_RADIANCE_HITDIST];
+    for (const Type slot : {Type::OUT_SPEC_HITDIST, Type::OUT_SPEC_SH0})
+        pool[slot] = pool[Type::OUT_SPEC_RADIANCE_HITDIST];
+}
 } // namespace
 
 float toHalf(float value) { return glm::unpackHalf1x16(glm::packHalf1x16(value)); }
@@ -79,11 +93,12 @@ struct Harness::Impl
 {
     Impl(int w, int h) : width(w), height(h) {}
 
-    void create(const nrd::ReblurSettings& settings);
+    void create(const nrd::ReblurSettings& settings, nrd::Denoiser kind);
     void upload(const Frame& frame);
     void setCommon(const Frame& frame, const std::function<void(nrd::CommonSettings&)>& change);
     void record(rhi::CommandBuffer& commands);
     void transition(rhi::CommandBuffer& commands, Image& image, const rhi::TextureState& after);
+    void download(rhi::CommandBuffer& commands, Image& image);
     Signal read(const Image& image) const;
 
     int width, height;
@@ -92,13 +107,18 @@ struct Harness::Impl
     Image viewZ{rhi::Format::R32_SFLOAT, width, height};
     Image inDiffuse{rhi::Format::RGBA16_SFLOAT, width, height}, inSpecular{rhi::Format::RGBA16_SFLOAT, width, height};
     Image outDiffuse{rhi::Format::RGBA16_SFLOAT, width, height}, outSpecular{rhi::Format::RGBA16_SFLOAT, width, height};
+    Image outDiffuseSh1{rhi::Format::RGBA16_SFLOAT, width, height};
+    Image outSpecularSh1{rhi::Format::RGBA16_SFLOAT, width, height};
+    Image outOverlay{rhi::Format::RGBA8_UNORM, width, height};
+    bool isOverlayOn = false;
     nrd::NrdIntegration integration;
     Camera previous;
     uint32_t frameIndex = 0;
     Signal diffuse, specular;
+    Overlay overlay;
 };
 
-void Harness::Impl::create(const nrd::ReblurSettings& settings)
+void Harness::Impl::create(const nrd::ReblurSettings& settings, nrd::Denoiser kind)
 {
     const rhi::VulkanHandles handles = rhi::vulkanHandles(device());
     nrd::IntegrationCreationDesc desc;
@@ -111,7 +131,7 @@ void Harness::Impl::create(const nrd::ReblurSettings& settings)
     desc.resourceWidth = static_cast<uint16_t>(width);
     desc.resourceHeight = static_cast<uint16_t>(height);
     desc.framesInFlight = 1;
-    const nrd::DenoiserDesc denoiser = {0, nrd::Denoiser::REBLUR_DIFFUSE_SPECULAR};
+    const nrd::DenoiserDesc denoiser = {0, kind};
     nrd::InstanceCreationDesc instanceDesc;
     instanceDesc.denoisers = &denoiser;
     instanceDesc.denoisersNum = 1;
@@ -126,7 +146,9 @@ void Harness::Impl::upload(const Frame& frame)
     for (size_t i = 0; i < count; i++) guides[i] = packGuide(frame.guides.normals[i], frame.guides.roughness[i]);
     guide.fill(guides);
     viewZ.fill(frame.guides.viewZ);
-    motion.fill(std::vector<uint64_t>(count, 0)); // static scene, world-space motion
+    std::vector<uint64_t> motions(count, 0);
+    for (size_t i = 0; i < frame.motion.size(); i++) motions[i] = packHalf4(glm::vec4(frame.motion[i], 0.0f));
+    motion.fill(motions);
     inDiffuse.fill(packSignal(frame.diffuse));
     inSpecular.fill(packSignal(frame.specular));
 }
@@ -152,6 +174,7 @@ void Harness::Impl::setCommon(const Frame& frame, const std::function<void(nrd::
     common.frameIndex = frameIndex++;
     if (change) change(common);
     previous = camera;
+    isOverlayOn = common.enableValidation;
     require(integration.NewFrame(), integration);
     require(integration.SetCommonSettings(common), integration);
 }
@@ -170,13 +193,16 @@ void Harness::Impl::record(rhi::CommandBuffer& commands)
         Image* image;
         bool isOutput;
     };
-    const Row rows[] = {{nrd::ResourceType::IN_MV, &motion, false},
-                        {nrd::ResourceType::IN_NORMAL_ROUGHNESS, &guide, false},
-                        {nrd::ResourceType::IN_VIEWZ, &viewZ, false},
-                        {nrd::ResourceType::IN_DIFF_RADIANCE_HITDIST, &inDiffuse, false},
-                        {nrd::ResourceType::IN_SPEC_RADIANCE_HITDIST, &inSpecular, false},
-                        {nrd::ResourceType::OUT_DIFF_RADIANCE_HITDIST, &outDiffuse, true},
-                        {nrd::ResourceType::OUT_SPEC_RADIANCE_HITDIST, &outSpecular, true}};
+    std::vector<Row> rows = {{nrd::ResourceType::IN_MV, &motion, false},
+                             {nrd::ResourceType::IN_NORMAL_ROUGHNESS, &guide, false},
+                             {nrd::ResourceType::IN_VIEWZ, &viewZ, false},
+                             {nrd::ResourceType::IN_DIFF_RADIANCE_HITDIST, &inDiffuse, false},
+                             {nrd::ResourceType::IN_SPEC_RADIANCE_HITDIST, &inSpecular, false},
+                             {nrd::ResourceType::OUT_DIFF_RADIANCE_HITDIST, &outDiffuse, true},
+                             {nrd::ResourceType::OUT_SPEC_RADIANCE_HITDIST, &outSpecular, true},
+                             {nrd::ResourceType::OUT_DIFF_SH1, &outDiffuseSh1, true},
+                             {nrd::ResourceType::OUT_SPEC_SH1, &outSpecularSh1, true}};
+    if (isOverlayOn) rows.push_back({nrd::ResourceType::OUT_VALIDATION, &outOverlay, true});
     nrd::NrdUserPool pool;
     for (const Row& row : rows)
     {
@@ -192,19 +218,24 @@ void Harness::Impl::record(rhi::CommandBuffer& commands)
         entry.state.access = row.isOutput ? VK_ACCESS_SHADER_WRITE_BIT : VK_ACCESS_SHADER_READ_BIT;
         entry.state.stages = VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT;
     }
+    fillVariantSlots(pool);
     const nrd::Identifier identifier = 0;
     nrd::DenoiseOptions options;
     options.restoreInitialStates = true;
     const auto native = rhi::detail::fromHandle<VkCommandBuffer>(commands.nativeHandle());
     require(integration.Denoise(native, &identifier, 1, pool, options), integration);
-    for (Image* image : {&outDiffuse, &outSpecular})
-    {
-        transition(commands, *image, rhi::states::kTransferSrc);
-        commands.copyTextureToBuffer({image->texture.get(), 0, image->readback.get(), 0});
-        commands.barrier(rhi::BufferBarrier{image->readback.get(),
-                                            {rhi::Access::TransferWrite, rhi::Stage::Transfer},
-                                            {rhi::Access::HostRead, rhi::Stage::Host}});
-    }
+    download(commands, outDiffuse);
+    download(commands, outSpecular);
+    if (isOverlayOn) download(commands, outOverlay);
+}
+
+void Harness::Impl::download(rhi::CommandBuffer& commands, Image& image)
+{
+    transition(commands, image, rhi::states::kTransferSrc);
+    commands.copyTextureToBuffer({image.texture.get(), 0, image.readback.get(), 0});
+    commands.barrier(rhi::BufferBarrier{image.readback.get(),
+                                        {rhi::Access::TransferWrite, rhi::Stage::Transfer},
+                                        {rhi::Access::HostRead, rhi::Stage::Host}});
 }
 
 Signal Harness::Impl::read(const Image& image) const
@@ -217,11 +248,14 @@ Signal Harness::Impl::read(const Image& image) const
     return signal;
 }
 
-Harness::Harness(int width, int height, const nrd::ReblurSettings& settings)
+Harness::Harness(int width, int height, const nrd::ReblurSettings& settings, nrd::Denoiser denoiser)
     : m_impl(std::make_unique<Impl>(width, height))
 {
-    m_impl->create(settings);
+    m_impl->create(settings, denoiser);
     poisonOutputs(0.0f);
+    poisonOverlay(glm::u8vec4(0));
+    m_impl->outDiffuseSh1.fill(std::vector<uint64_t>(static_cast<size_t>(width) * static_cast<size_t>(height), 0));
+    m_impl->outSpecularSh1.fill(std::vector<uint64_t>(static_cast<size_t>(width) * static_cast<size_t>(height), 0));
 }
 
 Harness::~Harness() { test::failOnMessages(); }
@@ -237,11 +271,15 @@ void Harness::denoise(const Frame& frame, const std::function<void(nrd::CommonSe
     test::submitAndWait(*commands);
     m_impl->diffuse = m_impl->read(m_impl->outDiffuse);
     m_impl->specular = m_impl->read(m_impl->outSpecular);
+    m_impl->overlay.resize(m_impl->diffuse.size());
+    const size_t byteSize = m_impl->overlay.size() * sizeof(glm::u8vec4);
+    if (m_impl->isOverlayOn) std::memcpy(m_impl->overlay.data(), m_impl->outOverlay.readback->mapped(), byteSize);
     test::failOnMessages();
 }
 
 const Signal& Harness::diffuse() const { return m_impl->diffuse; }
 const Signal& Harness::specular() const { return m_impl->specular; }
+const Overlay& Harness::overlay() const { return m_impl->overlay; }
 int Harness::width() const { return m_impl->width; }
 int Harness::height() const { return m_impl->height; }
 
@@ -250,5 +288,10 @@ void Harness::poisonOutputs(float value)
     const Signal poison(static_cast<size_t>(width()) * static_cast<size_t>(height()), glm::vec4(value));
     m_impl->outDiffuse.fill(packSignal(poison));
     m_impl->outSpecular.fill(packSignal(poison));
+}
+
+void Harness::poisonOverlay(glm::u8vec4 value)
+{
+    m_impl->outOverlay.fill(Overlay(static_cast<size_t>(width()) * static_cast<size_t>(height()), value));
 }
 } // namespace quality

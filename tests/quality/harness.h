@@ -1,5 +1,5 @@
-// Runs REBLUR_DIFFUSE_SPECULAR through NrdIntegration on images filled from the host. Any validation message of the
-// device fails the running test case.
+// Runs a REBLUR denoiser through NrdIntegration on images filled from the host; every slot of a lobe gets the same
+// image. Any validation message of the device fails the running test case.
 #pragma once
 #include "scene.h"
 #include <functional>
@@ -15,12 +15,16 @@ struct Frame
 {
     Guides guides;
     Signal diffuse, specular;
+    std::vector<glm::vec3> motion = {}; // world space; empty = static scene
 };
+
+using Overlay = std::vector<glm::u8vec4>;
 
 class Harness
 {
 public:
-    Harness(int width, int height, const nrd::ReblurSettings& settings = {});
+    Harness(int width, int height, const nrd::ReblurSettings& settings = {},
+            nrd::Denoiser denoiser = nrd::Denoiser::REBLUR_DIFFUSE_SPECULAR);
     ~Harness();
 
     // `change` may alter the common settings of this frame; the previous frame's camera is kept here.
@@ -28,9 +32,11 @@ public:
 
     const Signal& diffuse() const; // as the outputs hold it after the last frame
     const Signal& specular() const;
+    const Overlay& overlay() const; // of the last frame with enableValidation
     int width() const;
     int height() const;
     void poisonOutputs(float value); // what outputs hold before the next frame
+    void poisonOverlay(glm::u8vec4 value);
 
 private:
     struct Impl;

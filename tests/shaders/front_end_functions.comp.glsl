@@ -32,6 +32,19 @@ Results evaluate(Arguments v)
         NRD_FrontEnd_SpecHitDistAveraging_End(r.first.x);
         r.first.y = NRD_FrontEnd_TrimHitDistance(v.a.x, 0.5);
         break;
+    case FN_PACK_SH: r.first = REBLUR_FrontEnd_PackSh(v.a.xyz, v.a.w, v.b.xyz, r.second, v.b.w != 0.0); break;
+    case FN_PACK_DIRECTIONAL:
+        r.first = REBLUR_FrontEnd_PackDirectionalOcclusion(v.a.xyz, v.a.w, v.b.x != 0.0);
+        break;
+    case FN_TRIMMING:
+        r.first.x = NRD_GetTrimmingFactor(v.a.x, v.b.xyz);
+        r.first.y = NRD_GetTrimmingCompensation(v.a.y, r.first.x);
+        break;
+    case FN_TRIMMED_SAMPLE: r.first.xyz = NRD_SampleTrimmedLobe(v.a.xy, v.b.xyz, v.a.z, v.a.w); break;
+    case FN_STRANDS:
+        r.second.xyz = NRD_GetStrandBitangent(v.b.xyz, v.a.xyz);
+        r.first = vec4(NRD_GetStrandNormal(v.a.xyz, r.second.xyz), NRD_GetStrandThicknessFactor(v.a.w, v.b.w));
+        break;
     }
     return r;
 }

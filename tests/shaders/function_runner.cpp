@@ -17,9 +17,15 @@ std::unique_ptr<rhi::Buffer> makeBuffer(size_t byteSize, rhi::BufferMemory memor
     return test::validatedDevice().createBuffer(desc);
 }
 
+Shader shaderOf(int function)
+{
+    if (function >= FN_FIRST_OF_RESOLVE) return Shader::ResolveFunctions;
+    return function < FN_FALLOFFS ? Shader::FrontEndFunctions : Shader::LibraryFunctions;
+}
+
 std::unique_ptr<rhi::Pipeline> makePipeline(int function)
 {
-    const ShaderBlob blob = shaderBlob(function < FN_FALLOFFS ? Shader::FrontEndFunctions : Shader::LibraryFunctions);
+    const ShaderBlob blob = shaderBlob(shaderOf(function));
     const rhi::BindingDesc bindings[] = {{0, 0, rhi::BindingType::StorageBuffer},
                                          {0, 1, rhi::BindingType::StorageBuffer}};
     const rhi::SpecConstant constants[] = {{0, static_cast<uint32_t>(function)}};

@@ -10,7 +10,7 @@ using Vec4 = std::array<float, 4>;
 
 struct Arguments
 {
-    Vec4 a{}, b{}, c{}, d{};
+    Vec4 a{}, b{}, c{}, d{}, e{}, f{}, g{}, h{};
 };
 
 struct Results

@@ -15,6 +15,12 @@
 #define FN_MATERIAL_FACTORS 10 // a.xyz albedo, a.w roughness, b.xyz F0, b.w NoV
 #define FN_AVERAGING 11        // a = four specular hit distances
 
+#define FN_PACK_SH 13          // a = radiance, normHitDist; b.xyz direction, b.w sanitize -> sh0, sh1
+#define FN_PACK_DIRECTIONAL 14 // a = direction, normHitDist; b.x sanitize
+#define FN_TRIMMING 15         // a.x roughness, b.xyz parameters, a.y geometry term -> factor, compensation
+#define FN_TRIMMED_SAMPLE 16   // a.xy random, a.z roughness, a.w factor, b.xyz view
+#define FN_STRANDS 17          // a.xyz tangent, a.w pixel size, b.xyz view, b.w thickness -> normal, factor; bitangent
+
 #define FN_FALLOFFS 20           // a.x -> soft, heavy, smooth01, acosApprox
 #define FN_RAMP 21               // a.xyz
 #define FN_DOMINANT_FACTOR 22    // a.x NoV, a.y roughness
@@ -29,5 +35,23 @@
 #define FN_TANGENT_BASIS 31      // a.xyz -> T; second result B
 #define FN_PROJECT 32            // a.xyz position, b..: rows x, y, w of the matrix in b, c, d
 #define FN_CUSTOM_BILINEAR 33    // a values, b weights
+
+// Of a lobe record: a = sh0, b.xyz = sh1.
+#define FN_FIRST_OF_RESOLVE 100
+#define FN_UNPACK_SH 100          // -> c0, chroma, normHitDist; c1, sharpness
+#define FN_UNPACK_DIRECTIONAL 101 // a = direction * n, n -> the same
+#define FN_EXTRACT 102            // -> colour; direction
+#define FN_ROTATE 103             // c.xyz = angle's cosine, sine, 0 about z -> c1
+#define FN_SH_DIFFUSE 104         // c.xyz N
+#define FN_SH_SPECULAR 105        // c.xyz N, c.w roughness, d.xyz V
+#define FN_SG_DIFFUSE 106         // c.xyz N, c.w roughness, d.xyz V
+#define FN_SG_SPECULAR 107        // c.xyz N, c.w roughness, d.xyz V
+#define FN_SG_INTEGRAL 108        // a.xyz axis, a.w sharpness; b likewise; c.x amplitude
+#define FN_RESTORE_DIFFUSE 109    // c.xyz N, d.xyz reference N
+#define FN_RESTORE_SPECULAR 110   // c.xyz N, c.w roughness, d.xyz V, e.xyz reference N
+#define FN_CAVITY 111             // c.xyz N, c.w cavity, d.x light's cosine, d.y strength -> shadow, with defaults
+#define FN_REJITTER 112           // a diffuse c1, roughness; b specular c1; c V; d = N, viewZ; e to h neighbours' d
+#define FN_DOMINANT 113           // c.xyz N, c.w roughness, d.xyz V
+#define FN_REFERENCE_NORMAL 114   // c = V, roughness; d = N, viewZ; e to h neighbours' d
 
 #endif

@@ -2,6 +2,7 @@
 #include "catch.h"
 #include "function_runner.h"
 #include "functions.h"
+#include "reference_lobes.h"
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -12,22 +13,6 @@ using namespace nrdtest;
 
 namespace
 {
-using Vec3d = std::array<double, 3>;
-
-double lobeSpread(double r, double p) { return r > 0.0 ? (1.0 - std::exp2(-200.0 * r * r)) * std::pow(r, p) : 0.0; }
-
-Vec3d normalized(Vec3d v)
-{
-    const double len = std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-    return {v[0] / len, v[1] / len, v[2] / len};
-}
-
-Vec3d randomDirection(std::mt19937& rng)
-{
-    std::normal_distribution<double> normal;
-    return normalized({normal(rng), normal(rng), normal(rng)});
-}
-
 // Rounds as storing in a texture of this encoding does.
 float quantize(float value, float steps, bool isSigned)
 {
@@ -75,6 +60,18 @@ TEST_CASE("the 10-bit encoding gives the published texels", "[gpu]")
         CHECK(r.first[3] == 1.0f);  // material 3
         CHECK(r.first == r.second); // the wrapper uses the default encodings
     }
+}
+
+TEST_CASE("the published texels decode to the published normals and roughness", "[gpu]")
+{
+    const auto decode = [](float x, float y, float z) {
+        return runFunction(FN_UNPACK_NORMAL, {Vec4{x / 1023, y / 1023, z / 1023, 1}, Vec4{0, 2, 1, 0}});
+    };
+    CHECK(decode(1023, 0, 513).first[3] == Approx(0.00293).margin(1e-5));
+    const Results r = decode(731, 292, 639);
+    const double expected[] = {0.60088, 0.0, 0.79934, 0.24927};
+    for (size_t i = 0; i < 4; i++) CHECK(r.first[i] == Approx(expected[i]).margin(1e-5));
+    CHECK(r.second[0] == 3.0f);
 }
 
 TEST_CASE("every normal encoding returns direction, roughness and material within its quantisation", "[gpu]")
@@ -159,6 +156,21 @@ TEST_CASE("lobe spread and hit-distance normalisation match the published values
     }
 }
 
+TEST_CASE("a hit distance that is no number is no sample, an infinite one is a miss", "[gpu]")
+{
+    const float nan = std::numeric_limits<float>::quiet_NaN(), inf = std::numeric_limits<float>::infinity();
+    const Vec4 parameters = {3, 0.1f, 20, 0};
+    const auto normHitDist = [&](float hitDist) {
+        return runFunction(FN_NORM_HIT_DIST, {Vec4{hitDist, 10, 1, 0}, parameters}).first[0];
+    };
+    CHECK(normHitDist(nan) == 0.0f);
+    CHECK(normHitDist(inf) == 1.0f);
+    CHECK(normHitDist(-1.0f) == 0.0f);
+    CHECK(normHitDist(65504.0f) == 1.0f);
+    // Parameters of zero, as forgotten constants have them, must not divide by zero.
+    CHECK(runFunction(FN_NORM_HIT_DIST, {Vec4{0, 0, 1, 0}, Vec4{}}).first[0] == 0.0f);
+}
+
 TEST_CASE("packing radiance turns what is not finite into no sample", "[gpu]")
 {
     const float nan = std::numeric_limits<float>::quiet_NaN(), inf = std::numeric_limits<float>::infinity();
@@ -205,6 +217,13 @@ TEST_CASE("specular hit distances average to the nearest non-zero one", "[gpu]")
 {
     CHECK(runFunction(FN_AVERAGING, {Vec4{0, 3, 2, 5}}).first[0] == 2.0f);
     CHECK(runFunction(FN_AVERAGING, {Vec4{0, 0, 0, 0}}).first[0] == 0.0f);
+    const float nan = std::numeric_limits<float>::quiet_NaN(), inf = std::numeric_limits<float>::infinity();
+    CHECK(runFunction(FN_AVERAGING, {Vec4{nan, inf, 7, nan}}).first[0] == 7.0f);
+    CHECK(runFunction(FN_AVERAGING, {Vec4{nan, -1, 0, 0}}).first[0] == 0.0f);
+    // A miss, however large, is not "no sample".
+    for (const float miss : {inf, std::numeric_limits<float>::max()})
+        CHECK(runFunction(FN_AVERAGING, {Vec4{0, miss, 0, 0}}).first[0] == 1e30f);
+    CHECK(runFunction(FN_AVERAGING, {Vec4{nan, 0, 0, 0}}).first[1] == 0.0f);
     CHECK(runFunction(FN_AVERAGING, {Vec4{0.4f, 0, 0, 0}}).first[1] == 0.0f);
     CHECK(runFunction(FN_AVERAGING, {Vec4{0.6f, 0, 0, 0}}).first[1] == 0.6f);
 }

@@ -11,6 +11,7 @@
 #pragma once
 #include <cstdint>
 #include <memory>
+#include <nrd/doctor.h>
 #include <nrd/nrd.h>
 #include <vulkan/vulkan_core.h>
 
@@ -107,6 +108,15 @@ private:
     NrdUserImage m_images[kSlotsNum + 1];
 };
 
+/// Images that no denoiser reads, for RecordDiagnosis(): float formats, resource size, state as in the user pool. Each
+/// may be empty; the rules that need it rest.
+struct NrdDiagnosisImages
+{
+    NrdUserImage diffuseFactor;     // .xyz what demodulation divided the diffuse signal by
+    NrdUserImage specularFactor;    // the same for specular
+    NrdUserImage specularDirection; // .xyz first direction of the specular path, world space, unit or 0
+};
+
 struct DenoiseOptions
 {
     /// One more batch of barriers takes every image back to the state it came in; those that came in UNDEFINED stay
@@ -182,6 +192,21 @@ public:
     /// that a denoiser needs is empty, its image lacks usage, channels or size, or has two states.
     Result Denoise(VkCommandBuffer commandBuffer, const Identifier* identifiers, uint32_t identifiersNum,
                    NrdUserPool& userPool, const DenoiseOptions& options = {});
+
+    /// For bring-up: records copies of the inputs, for Diagnose() to find what is wrong with them. Once per frame,
+    /// after SetCommonSettings(), in place of Denoise() or before it; slots that are empty or that no denoiser of the
+    /// instance reads are left out, IN_VIEWZ is needed. The images need no usage beyond SAMPLED; their entries tell the
+    /// state they are left in. 16 bytes of host memory per pixel, image and frame in flight, from the first call on.
+    /// Looks at frames that are done first, see InputDoctor::AddFrame().
+    Result RecordDiagnosis(VkCommandBuffer commandBuffer, NrdUserPool& userPool, NrdDiagnosisImages* images = nullptr);
+
+    /// What the recorded frames show, see nrd/doctor.h: those that the GPU has certainly finished, `framesInFlight`
+    /// calls of NewFrame() later, or all of them if the application knows that it is done (`isGpuIdle`). Valid until
+    /// the next call of this, RecordDiagnosis(), EndDiagnosis(), Resize() or Destroy().
+    Result Diagnose(const Finding*& findings, uint32_t& findingsNum, bool isGpuIdle = false);
+
+    /// Forgets what was recorded and found, as Resize() does, and gives the memory back when the GPU is done.
+    Result EndDiagnosis();
 
     /// Drops the cached views of an image that is about to be destroyed, once the GPU is done with them. Not needed if
     /// `generation` is kept: unused views go by themselves after some frames.

@@ -36,7 +36,4 @@ NRD_API Result GetRequiredResources(const Instance& instance, Identifier identif
 
 // The last refusal's sentence on this instance; empty if none. For callers without a message sink.
 NRD_API const char* GetLastMessage(const Instance& instance);
-
-// round(seconds * fps), at least 0, at most 63: history lengths should come from time.
-NRD_API uint32_t GetMaxAccumulatedFrameNum(float seconds, float fps);
 } // namespace nrd

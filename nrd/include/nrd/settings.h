@@ -57,7 +57,7 @@ struct CommonSettings
 
     bool isHistoryConfidenceAvailable = false;        // IN_DIFF_CONFIDENCE and IN_SPEC_CONFIDENCE are bound
     bool isDisocclusionThresholdMixAvailable = false; // IN_DISOCCLUSION_THRESHOLD_MIX is bound
-    bool enableValidation = false;                    // OUT_VALIDATION is bound
+    bool enableValidation = false;                    // OUT_VALIDATION is bound; REBLUR writes it
 };
 
 // Hit distance is divided by (A + viewZ * B) * mix(C, 1, spread(roughness)), see REBLUR_FrontEnd_GetNormHitDist.
@@ -105,6 +105,7 @@ struct ReblurSettings
     float fastHistoryClampingSigmaScale = 2.0f; // [1; 3] standard deviations
     // Radii are pixels at a rectangle of 1440 lines and scale with the square root of its height: fewer pixels average
     // less noise away, but each spans more of the scene.
+    PrePassMode prePassMode = PrePassMode::SIMPLE;
     float diffusePrepassBlurRadius = 18.0f;         // [0; 256] pixels, 0 = off
     float specularPrepassBlurRadius = 36.0f;        // [0; 256] pixels, 0 = off
     float minHitDistanceWeight = 0.1f;              // [0; 0.2]
@@ -125,6 +126,15 @@ struct ReblurSettings
     // For debugging: no filter but the reprojected mean of up to maxAccumulatedFrameNum frames.
     bool enableReferenceAccumulation = false;
 };
+
+// History lengths should come from time: floor(seconds * fps + 0.5), at most 63, the longest history of REBLUR.
+// With frame generation fps is the rendered rate. Nothing sensible (NaN, negative) gives 0.
+inline uint32_t GetMaxAccumulatedFrameNum(float seconds, float fps)
+{
+    if (!(seconds > 0.0f) || !(fps > 0.0f)) return 0;
+    const float frameNum = seconds * fps + 0.5f;
+    return frameNum < 63.0f ? static_cast<uint32_t>(frameNum) : 63; // clamped before the cast: infinity has none
+}
 
 struct ReferenceSettings
 {

@@ -179,6 +179,14 @@ enum class CheckerboardMode : uint8_t
     MAX_NUM
 };
 
+// Spatial reuse of the noisy input before it is accumulated.
+enum class PrePassMode : uint8_t
+{
+    OFF,
+    SIMPLE, // taps are weighed by guides and hit distance
+    MAX_NUM
+};
+
 enum class HitDistanceReconstructionMode : uint8_t
 {
     OFF,

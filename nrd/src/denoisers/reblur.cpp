@@ -17,6 +17,7 @@ enum Tex : uint8_t
     TrackNew,
     StabHistory,
     StabWeight,
+    VirtualAmount,
     Scratch,
     PrevViewZ,
     PrevNormalRoughness,
@@ -41,6 +42,7 @@ constexpr TextureRow kTextures[] = {
     {TrackNew, "TrackNew", fixed(R16_SFLOAT), Transient, 1, kSpecularColor},
     {StabHistory, "StabHistory", perLobes(R16_SFLOAT, RG16_SFLOAT), Transient, 1, kStabilized},
     {StabWeight, "StabWeight", perLobes(R8_UNORM, RG8_UNORM), Transient, 1, kStabilized},
+    {VirtualAmount, "VirtualAmount", fixed(R8_UNORM), Transient, VIRTUAL_AMOUNT_STEP, kSpecular},
     {Scratch, "Scratch", kPerSignal, Transient},
     {PrevViewZ, "PrevViewZ", fixed(R32_SFLOAT), Permanent},
     {PrevNormalRoughness, "PrevNormalRoughness", kGuide, Permanent},
@@ -79,6 +81,7 @@ bool runsStabilization(const Conditions& c) { return isDenoised(c) && hasStabili
 bool hasAntiFirefly(const Conditions& c) { return settingsOf(c).enableAntiFirefly; }
 bool hasConfidence(const Conditions& c) { return c.common.isHistoryConfidenceAvailable; }
 bool hasDisocclusionMix(const Conditions& c) { return c.common.isDisocclusionThresholdMixAvailable; }
+bool hasValidation(const Conditions& c) { return c.common.enableValidation; }
 
 bool hasMaterialTest(const Conditions& c)
 {
@@ -111,6 +114,9 @@ constexpr Slot kCut = optional(hasCutDetection, Cut);
 constexpr Slot kThresholdMix = optional(hasDisocclusionMix, ResourceType::IN_DISOCCLUSION_THRESHOLD_MIX);
 constexpr Slot kDiffuseConfidence = only(kDiffuse, optional(hasConfidence, ResourceType::IN_DIFF_CONFIDENCE));
 constexpr Slot kSpecularConfidence = only(kSpecular, optional(hasConfidence, ResourceType::IN_SPEC_CONFIDENCE));
+// The overlay shows the inputs even when nothing is denoised.
+constexpr Slot kShownLength = optional(isDenoised, Length);
+constexpr Slot kShownVirtualAmount = only(kSpecular, optional(isDenoised, VirtualAmount));
 
 constexpr GroupSize kTile = {TILE_SIZE, TILE_SIZE}; // whatever the number of invocations
 constexpr GroupSize kGroup16x16 = {16, 16};
@@ -129,6 +135,8 @@ constexpr ShaderSet kTemporalStabilization = {Shader::ReblurTemporalStabilizatio
                                               Shader::ReblurTemporalStabilizationDiffuseDirectionalOcclusion};
 constexpr ShaderSet kSplitScreen = {Shader::ReblurSplitScreenDiffuse,
                                     Shader::ReblurSplitScreenDiffuseDirectionalOcclusion};
+constexpr ShaderSet kValidation = {Shader::ReblurValidationDiffuse,
+                                   Shader::ReblurValidationDiffuseDirectionalOcclusion};
 
 // name, shader per variant, reads, writes, group, runs if, switches. Outputs are written once, by the last pass.
 constexpr PassRow kPasses[] = {
@@ -147,7 +155,7 @@ constexpr PassRow kPasses[] = {
       kDiffuseConfidence, kSpecularConfidence, kEachAccumulated, each(History), Fast, kStab, kTrackNew,
       only(kSpecularOcclusion, ResourceType::IN_SPEC_HITDIST), only(kSpecular, prev(Track))},
      {each(Scratch), FastTemp, Length, only(kStabilized, StabHistory), only(kStabilized, StabWeight),
-      only(kSpecular, Track)},
+      only(kSpecular, Track), only(kSpecular, VirtualAmount)},
      kGroup8x16,
      isDenoised,
      {kPrePassSwitch, kStabilization, kMaterialTest, kConfidence, kDisocclusionMix}},
@@ -182,6 +190,12 @@ constexpr PassRow kPasses[] = {
      1,
      kStabilized},
     {"Split screen", kSplitScreen, {ViewZ, kEachInput}, {kEachOutput}, kGroup16x16, isSplit},
+    {"Validation",
+     kValidation,
+     {ViewZ, NormalRoughness, Motion, kShownLength, kShownVirtualAmount, kEachInput},
+     {ResourceType::OUT_VALIDATION},
+     kGroup16x16,
+     hasValidation},
 };
 
 constexpr SignalRow diffuse(ResourceType input, ResourceType output, Format format)

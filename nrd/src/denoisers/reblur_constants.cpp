@@ -39,6 +39,9 @@ void fillFrame(const Request& request, shared::ReblurConstants& g)
     g.frustumPrev = frame.frustumPrev;
     g.cameraDelta = frame.cameraDelta;
     g.viewDirection = frame.viewDirection;
+    g.cameraPosition = frame.cameraPosition;
+    g.cameraJitter = {common.cameraJitter[0], common.cameraJitter[1], common.cameraJitterPrev[0],
+                      common.cameraJitterPrev[1]};
     g.motionVectorScale = frame.motionVectorScale;
     g.rectSize = toVec2(common.rectSize);
     g.rectSizeInv = inverse(common.rectSize);
@@ -56,6 +59,7 @@ void fillFrame(const Request& request, shared::ReblurConstants& g)
     g.splitScreen = common.splitScreen;
     g.splitScreenPrev = request.isReset ? common.splitScreen : request.history.splitScreen;
     g.isHistoryReset = request.isReset ? 1 : 0;
+    g.hasValidation = common.enableValidation ? 1 : 0;
     g.isCutDetected = common.enableCutDetection ? 1 : 0;
 }
 
@@ -139,6 +143,7 @@ void fillIncomplete(const Request& request, const ReblurSettings& s, shared::Reb
 ReblurSettings effective(const ReblurSettings& settings)
 {
     ReblurSettings s = settings;
+    if (s.prePassMode == PrePassMode::OFF) s.diffusePrepassBlurRadius = s.specularPrepassBlurRadius = 0.0f;
     if (!s.enableReferenceAccumulation) return s;
     s.diffusePrepassBlurRadius = s.specularPrepassBlurRadius = s.minBlurRadius = s.maxBlurRadius = 0.0f;
     s.historyFixFrameNum = s.maxStabilizedFrameNum = 0;

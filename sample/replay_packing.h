@@ -1,0 +1,60 @@
+// The two shaders between recorded layers and a denoiser's slots, and their constants.
+#pragma once
+#include "capture.h"
+#include "engine/compute.h"
+
+namespace sample
+{
+// Push constants of replay_pack.comp.glsl.
+struct PackConstants
+{
+    float hitDistanceParameters[4]; // .xyz A, B, C
+    uint32_t mode;                  // REPLAY_PACK_...
+    uint32_t isDiffuse;
+    uint32_t size[2]; // pixels
+    float constant;   // of REPLAY_PACK_CONSTANT
+};
+
+// Push constants of replay_unpack.comp.glsl.
+struct UnpackConstants
+{
+    float worldToView[16];
+    float frustum[4];
+    uint32_t size[2]; // pixels
+    float jitter[2];  // pixels
+    uint32_t mode;    // REPLAY_UNPACK_...
+    uint32_t isDiffuse;
+};
+
+// Camera, jitter and size of a frame; the rest at 0.
+UnpackConstants unpackConstantsOf(const CaptureInfo& info, size_t frameIndex);
+
+class ReplayPacking
+{
+public:
+    ReplayPacking() = default;
+    explicit ReplayPacking(const engine::Device& device);
+
+    struct PackImages
+    {
+        const engine::Image &layer, &direction, &guides, &depth; // four floats each
+        const engine::Image& slot;
+    };
+    VkDescriptorSet createSet(const PackImages& images) const;
+
+    struct UnpackImages
+    {
+        const engine::Image &slot, &sh1, &guides, &depth;
+        const engine::Image& values; // four floats
+    };
+    VkDescriptorSet createSet(const UnpackImages& images) const;
+
+    // The images that are read are in the sampled state, the written one is in the storage state.
+    void pack(VkCommandBuffer cmd, VkDescriptorSet set, const PackConstants& constants) const;
+    void unpack(VkCommandBuffer cmd, VkDescriptorSet set, const UnpackConstants& constants) const;
+
+private:
+    engine::ComputePipeline m_pack;
+    engine::ComputePipeline m_unpack;
+};
+} // namespace sample

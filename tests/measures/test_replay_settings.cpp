@@ -1,0 +1,76 @@
+// The table behind --set against the structs themselves: a field without a row must not go unnoticed.
+#include "catch.h"
+
+#include "replay_settings.h"
+
+#include <set>
+#include <utility>
+
+using namespace sample;
+
+namespace
+{
+// Initialises any member of an aggregate. An array member takes one per element, a nested struct takes one.
+struct Anything
+{
+    template <class T> operator T() const;
+};
+
+template <class T, size_t... I> constexpr bool takes(std::index_sequence<I...>)
+{
+    return requires { T{(static_cast<void>(I), Anything{})...}; };
+}
+
+// How many values initialise the aggregate T: unlike sizes and offsets this also sees a field that fills padding.
+template <class T, size_t Count = 1> constexpr size_t valueCount()
+{
+    if constexpr (takes<T>(std::make_index_sequence<Count>()))
+        return valueCount<T, Count + 1>();
+    else
+        return Count - 1;
+}
+
+struct Padded
+{
+    float a[3];
+    bool b;
+    bool hidden;
+    double c;
+    bool last;
+};
+static_assert(valueCount<Padded>() == 7);
+
+// The same of the table's rows whose name begins with `prefix`; a nested struct counts once.
+size_t rowValueCount(const std::vector<SettingField>& fields, const std::string& prefix)
+{
+    std::set<std::string> nested;
+    size_t count = 0;
+    for (const SettingField& field : fields)
+    {
+        if (field.name.compare(0, prefix.size(), prefix) != 0) continue;
+        const std::string name = field.name.substr(prefix.size());
+        const size_t dot = name.find('.');
+        if (dot == std::string::npos)
+            count += field.count;
+        else
+            nested.insert(name.substr(0, dot));
+    }
+    return count + nested.size();
+}
+} // namespace
+
+TEST_CASE("every field of every settings struct has a row", "[unit]")
+{
+    ReplaySettings settings;
+    const size_t common = rowValueCount(settingFields(settings, Family::None), "");
+    CHECK(common == valueCount<nrd::CommonSettings>());
+    const std::vector<SettingField> reblur = settingFields(settings, Family::Reblur);
+    CHECK(rowValueCount(reblur, "") - common == valueCount<nrd::ReblurSettings>());
+    CHECK(rowValueCount(reblur, "hitDistanceParameters.") == valueCount<nrd::HitDistanceParameters>());
+    CHECK(rowValueCount(reblur, "antilagSettings.") == valueCount<nrd::ReblurAntilagSettings>());
+    CHECK(rowValueCount(reblur, "responsiveAccumulationSettings.") ==
+          valueCount<nrd::ResponsiveAccumulationSettings>());
+    CHECK(rowValueCount(reblur, "convergenceSettings.") == valueCount<nrd::ConvergenceSettings>());
+    const std::vector<SettingField> reference = settingFields(settings, Family::Reference);
+    CHECK(rowValueCount(reference, "") - common == valueCount<nrd::ReferenceSettings>());
+}
