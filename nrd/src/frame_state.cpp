@@ -66,14 +66,12 @@ Double3 wrapped(const Double3& position)
     return {wrap(position.x), wrap(position.y), wrap(position.z)};
 }
 
-// Motion on screen is a difference of what IN_VIEWZ stores; the shaders know its absolute value in units.
-shared::vec4 makeMotionVectorScale(const CommonSettings& common, double viewZSign)
+// Motion on screen is a difference of what IN_VIEWZ stores; the shaders know its absolute value in units, and look at
+// the sign of each texel.
+shared::vec4 makeMotionVectorScale(const CommonSettings& common)
 {
     const float(&scale)[3] = common.motionVectorScale;
-    if (!common.isMotionVectorInWorldSpace)
-    {
-        return {scale[0], scale[1], static_cast<float>(viewZSign) * scale[2] * common.viewZScale, 0.0f};
-    }
+    if (!common.isMotionVectorInWorldSpace) return {scale[0], scale[1], scale[2] * common.viewZScale, 0.0f};
     // The default 0 would silently drop the third axis of a world-space vector.
     return {scale[0], scale[1], scale[2] != 0.0f ? scale[2] : scale[0], 1.0f};
 }
@@ -122,7 +120,7 @@ FrameState makeFrameState(const CommonSettings& common, float frameRateScale)
     state.cameraDelta = toShared(delta, current.projection.isOrthographic ? 1.0 : 0.0);
     state.viewDirection = toShared(-current.rotation.row(2), 0.0);
     state.cameraPosition = toShared(wrapped(current.position), 0.0);
-    state.motionVectorScale = makeMotionVectorScale(common, current.projection.viewZSign);
+    state.motionVectorScale = makeMotionVectorScale(common);
 
     state.unproject = static_cast<float>(2.0 / (common.rectSize[1] * current.projection.yScale));
     state.minRectDim = std::min(common.rectSize[0], common.rectSize[1]);

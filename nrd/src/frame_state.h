@@ -14,7 +14,7 @@ struct Projection
     double frustum[4] =
         {};              // Xv.xy = (frustum.xy + uv * frustum.zw) * z, without z if orthographic; uv (0; 0) = top left
     double yScale = 1.0; // cot(fovY / 2), or 2 / height
-    double viewZSign = 1.0; // of IN_VIEWZ in front of the camera: -1 for right-handed view spaces
+    double viewZSign = 1.0; // of z in front of the camera: -1 for right-handed view spaces
     bool isOrthographic = false;
 };
 Projection makeProjection(const float (&viewToClip)[16]);

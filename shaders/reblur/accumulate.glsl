@@ -98,8 +98,10 @@ vec4 readTexture(texture2D t, HistoryRead read)
     return fetchBilinear(t, read.origin, read.weights, lastPrevTexel());
 }
 
+// After a cut it stands in for no broken sample either.
 Signal readHistory(texture2D t, texture2D second, HistoryRead read)
 {
+    if (isHistoryReset()) return kNoSignal;
     vec4 value = clampNegatives(readTexture(t, read));
     if (!kIsSh) return Signal(value, vec3(0.0));
     bool isFound = dot(read.weights, vec4(1.0)) >= 1e-4;

@@ -108,6 +108,22 @@ float virtualAmount(float nVirtual, float nSurface)
     return saturate(1.0 + (nVirtual - nSurface) / (1.0 + 0.5 * max(nVirtual, nSurface)));
 }
 
+// amount: of the virtual track. Between the two everything is valid, so the weights are those of the place: a track's
+// own belong to its own texels.
+HistoryRead mixedRead(SurfaceTrack surface, VirtualTrack image, float amount)
+{
+    HistoryRead read;
+    read.position = clamp(mix(surface.uv, image.uv, amount), 0.0, 1.0) * g.rectSizePrev;
+    read.isCubic = amount >= 0.5 ? image.isCubic : surface.isCubic;
+    Footprint between = makeFootprint(read.position);
+    read.origin = between.origin;
+    read.weights = between.bilinear;
+    if (amount > 0.0 && amount < 1.0) return read;
+    read.origin = amount == 0.0 ? surface.footprint.origin : image.footprint.origin;
+    read.weights = amount == 0.0 ? surface.weights : image.weights;
+    return read;
+}
+
 void showVirtualAmount(ivec2 pixel, float amount)
 {
     bool isShown = all(equal(pixel & (VIRTUAL_AMOUNT_STEP - 1), ivec2(VIRTUAL_AMOUNT_STEP / 2)));
@@ -145,14 +161,7 @@ LobeResult accumulateSpecular(Surface s, SurfaceTrack surface)
     // A position between two different surfaces would smear.
     if (!surface.isCubic || !image.isCubic) amount = amount >= 0.5 ? 1.0 : 0.0;
     showVirtualAmount(s.pixel, amount);
-    HistoryRead read;
-    read.position = clamp(mix(surface.uv, image.uv, amount), 0.0, 1.0) * g.rectSizePrev;
-    read.weights = mix(surface.weights, image.weights, amount);
-    read.origin = makeFootprint(read.position).origin;
-    if (amount == 0.0) read.origin = surface.footprint.origin;
-    if (amount == 1.0) read.origin = image.footprint.origin;
-    read.isCubic = amount >= 0.5 ? image.isCubic : surface.isCubic;
-
+    HistoryRead read = mixedRead(surface, image, amount);
     float length = mix(n.x, n.y, amount);
     result.n = mix(nFix.x, nFix.y, amount);
     Signal history = readHistory(gIn_SpecularHistory, gIn_SpecularHistorySh, read);

@@ -22,7 +22,7 @@ bool isFound(ivec2 pixel, float viewZ)
 {
     vec2 uv = pixelUv(pixel);
     vec3 X = rotate(g.viewToWorld, reconstructViewPosition(uv, g.frustum, viewZ, g.cameraDelta.w));
-    Motion motion = followMotion(uv, viewZ, X, texelFetch(gIn_Motion, guideTexel(pixel), 0).xyz);
+    Motion motion = followMotion(uv, viewZ, X, readMotion(gIn_Motion, gIn_ViewZ, pixel));
     if (!isInScreen(motion.uv)) return false;
     float expected = transform(g.worldToViewPrev, motion.Xprev).z;
     ivec2 last = ivec2(g.rectSizePrev) - 1;

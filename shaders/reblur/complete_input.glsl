@@ -47,10 +47,12 @@ float reconstructionWeight(Pixel p, Lobe lobe, bool isSpecular, ivec2 pixel, vec
     return weight;
 }
 
-// Radiance needs no reconstruction: it is divided by the probability of its lobe, so its expectation is right.
-float reconstructHitDist(texture2D t, texture2D second, Pixel p, Lobe lobe, bool isSpecular, ivec2 position)
+// Radiance needs no reconstruction: it is divided by the probability of its lobe, so its expectation is right. .xyz is
+// of use where the hit distance lengthens a direction.
+vec4 reconstructHitDist(texture2D t, texture2D second, Pixel p, Lobe lobe, bool isSpecular, ivec2 position)
 {
-    float sum = 0.0, weightSum = 0.0;
+    vec4 sum = vec4(0.0);
+    float weightSum = 0.0;
     int size = 2 * g.reconstructionRadius + 1;
     for (int i = 0; i < size * size; i++)
     {
@@ -58,13 +60,13 @@ float reconstructHitDist(texture2D t, texture2D second, Pixel p, Lobe lobe, bool
         ivec2 pixel = position + offset;
         if (clampToRect(pixel) != pixel || !hasData(pixel, isSpecular)) continue;
         bool isValid;
-        float hitDist = sanitize(texelFetch(t, inputTexel(pixel), 0), isValid).w;
-        if (!(hitDist > 0.0)) continue;
+        vec4 value = sanitize(texelFetch(t, inputTexel(pixel), 0), isValid);
+        if (!(value.w > 0.0)) continue;
         float weight = reconstructionWeight(p, lobe, isSpecular, pixel, vec2(offset));
-        sum += hitDist * weight;
+        sum += value * weight;
         weightSum += weight;
     }
-    return weightSum > 0.0 ? sum / weightSum : 0.0;
+    return weightSum > 0.0 ? sum / weightSum : vec4(0.0);
 }
 
 Centre completeCentre(texture2D t, texture2D second, Pixel p, Lobe lobe, bool isSpecular, ivec2 position)
@@ -81,7 +83,11 @@ Centre completeCentre(texture2D t, texture2D second, Pixel p, Lobe lobe, bool is
     }
     centre.hitDist = centre.signal.value.w;
     if (centre.hitDist == 0.0 && g.reconstructionRadius > 0)
-        centre.hitDist = reconstructHitDist(t, second, p, lobe, isSpecular, position);
+    {
+        vec4 filled = reconstructHitDist(t, second, p, lobe, isSpecular, position);
+        centre.hitDist = filled.w;
+        if (kIsDirectional) centre.signal.value.xyz = filled.xyz;
+    }
     return centre;
 }
 

@@ -9,11 +9,19 @@ struct Motion
     vec3 Xprev; // origin at the current camera
 };
 
-// X: position now; texel: of IN_MV.
-Motion followMotion(vec2 uv, float viewZ, vec3 X, vec3 texel)
+// What IN_MV says of a pixel, in units; on screen z is a difference of what IN_VIEWZ stores, which has either sign.
+vec3 readMotion(texture2D t, texture2D viewZ, ivec2 pixel)
+{
+    vec3 mv = texelFetch(t, guideTexel(pixel), 0).xyz * g.motionVectorScale.xyz;
+    bool isOnScreen = g.motionVectorScale.w == 0.0;
+    if (isOnScreen && texelFetch(viewZ, guideTexel(pixel), 0).x < 0.0) mv.z = -mv.z;
+    return mv;
+}
+
+// X: position now; mv: from readMotion().
+Motion followMotion(vec2 uv, float viewZ, vec3 X, vec3 mv)
 {
     Motion motion;
-    vec3 mv = texel * g.motionVectorScale.xyz;
     if (g.motionVectorScale.w != 0.0)
     {
         motion.Xprev = X + mv;

@@ -54,10 +54,41 @@ float contactGuard(float roughness, float tapHitDist, float centreHitDist, float
     return mix(sqrt(saturate(tapHitDist / (distance + kEps + centreHitDist))), 1.0, ramp(0.5, 1.0, roughness));
 }
 
-// Skipped samples carry the zeros that balance the brightness of the others: to weigh them down would add energy.
-float prePassHitDistWeight(Weights w, float centre, float other)
+// What taps gathered. Those without a sample carry the zeros that balance the brightness of the others, so they must
+// count as much as those do on average: less would add energy, more would lose it.
+struct TapSums
 {
-    return other > 0.0 || g.reconstructionRadius == 0 ? hitDistWeight(w, centre, other) : w.minHitDist + 1.0;
+    Signal known;
+    Signal unknown;
+    float knownWeight;
+    float knownShare; // of the weight above, what it is before hit distances are looked at
+    float unknownShare;
+};
+
+// share: by geometry; affinity: by hit distance, of no meaning where there is none.
+void addTap(inout TapSums sums, Signal value, float share, float affinity, bool isKnown)
+{
+    if (isKnown)
+    {
+        sums.known = addWeighted(sums.known, value, share * affinity);
+        sums.knownWeight += max(share * affinity, 0.0);
+        sums.knownShare += max(share, 0.0);
+    }
+    else if (!kIsBounded) // hit distances are the signal there: nothing is known at all
+    {
+        sums.unknown = addWeighted(sums.unknown, value, share);
+        sums.unknownShare += max(share, 0.0);
+    }
+}
+
+// With the centre, if it takes part.
+Signal resolveTaps(TapSums sums, Signal own, bool isOwnValid)
+{
+    float affinity = sums.knownShare > 0.0 ? sums.knownWeight / sums.knownShare : 1.0;
+    Signal sum = isOwnValid ? own : kNoSignal;
+    sum = addWeighted(addWeighted(sum, sums.known, 1.0), sums.unknown, affinity);
+    float weightSum = (isOwnValid ? 1.0 : 0.0) + sums.knownWeight + sums.unknownShare * affinity;
+    return weightSum > 0.0 ? scaled(sum, 1.0 / weightSum) : own;
 }
 
 struct Filtered
@@ -81,8 +112,7 @@ Filtered prefilter(texture2D t, texture2D second, Pixel p, Lobe lobe, bool isSpe
     w.hitDist = kHitDistScale;
     uint seed = seedPixel(centre.pixel, g.frameIndex);
     float nearest = hitDist > 0.0 ? hitDist : 1e30;
-    Signal sum = centre.isValid ? own : kNoSignal;
-    float weightSum = centre.isValid ? 1.0 : 0.0;
+    TapSums sums = TapSums(kNoSignal, kNoSignal, 0.0, 0.0, 0.0);
     for (int i = 0; i < 8; i++)
     {
         vec2 uv = p.uv + rotateTap(g.rotatorPrePass, kTaps[i].xy) * radius * g.rectSizeInv;
@@ -91,24 +121,22 @@ Filtered prefilter(texture2D t, texture2D second, Pixel p, Lobe lobe, bool isSpe
         Tap tap = readTap(gIn_ViewZ, gIn_NormalRoughness, p, lobe, w, uv, kTaps[i].z);
         bool isTapValid;
         Signal value = readInput(t, second, inputTexel(tap.pixel), isTapValid);
-        float weight = isTapValid && isInside ? tap.weight : 0.0;
+        float share = isTapValid && isInside ? tap.weight : 0.0;
+        float affinity = hitDistWeight(w, centre.hitDist, value.value.w);
         if (isSpecular)
         {
             float tapHitDist = getHitDist(value.value.w, tap.viewZ, tap.guide.roughness);
             // A stochastic minimum: the nearest reflected surface wins, dissimilar and grazing taps rarely count.
-            if (tapHitDist > 0.0 && nextRandom(seed) < weight * p.NoV) nearest = min(nearest, tapHitDist);
-            // Where taps have no sample there is no contact to see.
-            bool isGuarded = tapHitDist > 0.0 || g.reconstructionRadius == 0;
-            float guard = contactGuard(lobe.roughness, tapHitDist, hitDist, distance(tap.Xv, p.Xv));
-            weight *= g.isPrepassTrackingOnly != 0u ? 0.0 : isGuarded ? guard : 1.0;
+            if (tapHitDist > 0.0 && nextRandom(seed) < share * p.NoV) nearest = min(nearest, tapHitDist);
+            affinity *= contactGuard(lobe.roughness, tapHitDist, hitDist, distance(tap.Xv, p.Xv));
+            if (g.isPrepassTrackingOnly != 0u) share = 0.0;
         }
-        weight *= prePassHitDistWeight(w, centre.hitDist, value.value.w);
+        bool isKnown = value.value.w > 0.0 || g.reconstructionRadius == 0;
         if (value.value.w == 0.0) value.value.w = centre.hitDist; // unknown, not near
-        sum = addWeighted(sum, value, weight);
-        weightSum += max(weight, 0.0);
+        addTap(sums, value, share, affinity, isKnown);
     }
     float tracking = nearest == 1e30 ? 0.0 : nearest;
-    return Filtered(weightSum > 0.0 ? scaled(sum, 1.0 / weightSum) : own, tracking);
+    return Filtered(resolveTaps(sums, own, centre.isValid), tracking);
 }
 
 void main()

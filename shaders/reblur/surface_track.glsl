@@ -94,7 +94,9 @@ void testSurface(Surface s, inout SurfaceTrack track)
         Guide other = decodeGuide(texelFetch(gIn_PrevNormalRoughness,
                                              footprintTexel(origin, i, lastPrevTexel()), 0));
         track.NoN[i] = dot(other.N, s.meanN);
-        bool isAccepted = inside[i] > 0.0 && track.NoN[i] > minCosine &&
+        // The own normal as well: at a contact the mean may point away from both surfaces.
+        float cosine = max(track.NoN[i], dot(other.N, s.guide.N));
+        bool isAccepted = inside[i] > 0.0 && cosine > minCosine &&
                           isSameMaterial(s.guide.materialID, other.materialID, minMaterial);
         // -eps: a zeroed threshold rejects even equality.
         vec4 passed = testDepths(gatherPrevViewZ(origin - 1 + 2 * quadrant), viewZPrev,

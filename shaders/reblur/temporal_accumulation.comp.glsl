@@ -111,7 +111,7 @@ void main()
     if (!isInRect(pixel)) return;
     Surface s = makeSurface(pixel);
     if (!isInRange(s.viewZ)) return;
-    SurfaceTrack surface = trackSurface(s, texelFetch(gIn_Motion, guideTexel(pixel), 0).xyz);
+    SurfaceTrack surface = trackSurface(s, readMotion(gIn_Motion, gIn_ViewZ, pixel));
     LobeResult diffuse = LobeResult(0.0, 0.0, 0.0, 0.0), specular = diffuse;
 #if HAS_DIFFUSE
     diffuse = accumulateDiffuse(s, surface);

@@ -62,7 +62,8 @@ vec4 motionColor(ivec2 pixel)
     vec3 texel = texelFetch(gIn_Motion, guideTexel(pixel), 0).xyz;
     bool isWorldSpace = g.motionVectorScale.w != 0.0;
     if (!NRD_IsFinite(texel.x) || !NRD_IsFinite(texel.y) || (isWorldSpace && !NRD_IsFinite(texel.z))) return kMagenta;
-    vec2 given = followMotion(pixelUv(pixel), abs(storedViewZ(pixel)), X, texel).uv;
+    vec3 mv = readMotion(gIn_Motion, gIn_ViewZ, pixel);
+    vec2 given = followMotion(pixelUv(pixel), abs(storedViewZ(pixel)), X, mv).uv;
     vec2 difference = clamp(abs(given - projectToUv(g.worldToClipPrev, X)) * g.rectSize, 0.0, 1.0);
     return vec4(difference, isInScreen(given) ? 0.0 : 1.0, 1.0);
 }

@@ -75,14 +75,18 @@ Guides renderGuides(const Camera& camera, int width, int height)
     const size_t count = static_cast<size_t>(width) * static_cast<size_t>(height);
     Guides guides{camera, std::vector<float>(count), std::vector<glm::vec3>(count), std::vector<float>(count)};
     const glm::mat4 viewToWorld = glm::inverse(camera.worldToView), clipToView = glm::inverse(camera.viewToClip);
+    const bool isOrthographic = camera.viewToClip[3][3] == 1.0f;
     for (int y = 0; y < height; y++)
     {
         for (int x = 0; x < width; x++)
         {
             const glm::vec2 uv = (glm::vec2(x, y) + 0.5f) / glm::vec2(width, height);
             const glm::vec4 target = clipToView * glm::vec4(2.0f * uv.x - 1.0f, 1.0f - 2.0f * uv.y, 1.0f, 1.0f);
-            const glm::vec3 rayView = glm::normalize(glm::vec3(target) / target.w);
-            const Hit hit = trace(camera.position, glm::normalize(glm::mat3(viewToWorld) * rayView));
+            const glm::vec3 targetView = glm::vec3(target) / target.w;
+            const glm::vec3 rayView = isOrthographic ? glm::vec3(0, 0, 1) : glm::normalize(targetView);
+            const glm::vec4 start = viewToWorld * glm::vec4(targetView.x, targetView.y, 0.0f, 1.0f);
+            const glm::vec3 origin = isOrthographic ? glm::vec3(start) : camera.position;
+            const Hit hit = trace(origin, glm::normalize(glm::mat3(viewToWorld) * rayView));
             const size_t i = static_cast<size_t>(y) * static_cast<size_t>(width) + static_cast<size_t>(x);
             guides.viewZ[i] = std::isinf(hit.distance) ? 2.0f * kDenoisingRange : hit.distance * rayView.z;
             guides.normals[i] = hit.normal;

@@ -11,7 +11,7 @@ constexpr float kDenoisingRange = 1000.0f;
 
 struct Camera
 {
-    glm::mat4 viewToClip{1.0f}; // left-handed, depth in [0; 1]
+    glm::mat4 viewToClip{1.0f}; // left-handed, perspective or orthographic, depth in [0; 1]
     glm::mat4 worldToView{1.0f};
     glm::vec3 position{0.0f};
 };

@@ -1,0 +1,193 @@
+#include "inputs.h"
+#include "signals.h"
+#include <cmath>
+#include <limits>
+
+namespace options
+{
+namespace
+{
+using Slot = nrd::ResourceType;
+
+rhi::Format toRhi(nrd::Format format)
+{
+    switch (format)
+    {
+    case nrd::Format::R8_UNORM:
+        return rhi::Format::R8_UNORM;
+    case nrd::Format::RGBA8_UNORM:
+        return rhi::Format::RGBA8_UNORM;
+    case nrd::Format::RGBA8_SNORM:
+        return rhi::Format::RGBA8_SNORM;
+    case nrd::Format::R16_SFLOAT:
+        return rhi::Format::R16_SFLOAT;
+    case nrd::Format::RG16_SFLOAT:
+        return rhi::Format::RG16_SFLOAT;
+    case nrd::Format::RGBA16_UNORM:
+        return rhi::Format::RGBA16_UNORM;
+    case nrd::Format::RGBA16_SNORM:
+        return rhi::Format::RGBA16_SNORM;
+    case nrd::Format::A2B10G10R10_UNORM_PACK32:
+        return rhi::Format::A2B10G10R10_UNORM_PACK32;
+    default:
+        return rhi::Format::RGBA16_SFLOAT;
+    }
+}
+
+rhi::Format larger(rhi::Format format)
+{
+    switch (format)
+    {
+    case rhi::Format::R8_UNORM:
+        return rhi::Format::R16_SFLOAT;
+    case rhi::Format::RGBA8_SNORM:
+        return rhi::Format::RGBA16_SFLOAT;
+    case rhi::Format::RG16_SFLOAT:
+        return rhi::Format::RGBA16_SFLOAT;
+    default:
+        return rhi::Format::RGBA32_SFLOAT;
+    }
+}
+
+float encodeRoughness(float roughness, nrd::RoughnessEncoding encoding)
+{
+    if (encoding == nrd::RoughnessEncoding::SQ_LINEAR) return roughness * roughness;
+    return encoding == nrd::RoughnessEncoding::SQRT_LINEAR ? std::sqrt(roughness) : roughness;
+}
+
+// As NRD_FrontEnd_PackNormalAndRoughness.
+glm::vec4 packGuide(glm::vec3 n, float roughness, float materialID, const Setup& setup)
+{
+    const float r = encodeRoughness(roughness, setup.roughnessEncoding);
+    if (setup.normalEncoding == nrd::NormalEncoding::R10_G10_B10_A2_UNORM)
+    {
+        n /= std::abs(n.x) + std::abs(n.y) + std::abs(n.z);
+        const float signedRoughness = std::max(r, 1.5f / 512.0f) * (n.z < 0.0f ? -1.0f : 1.0f);
+        return {0.5f * glm::vec3(n.x + n.y, n.y - n.x, signedRoughness) + 0.5f, materialID / 3.0f};
+    }
+    const glm::vec3 b = n / std::max({std::abs(n.x), std::abs(n.y), std::abs(n.z)});
+    const bool isSigned = setup.normalEncoding == nrd::NormalEncoding::RGBA8_SNORM ||
+                          setup.normalEncoding == nrd::NormalEncoding::RGBA16_SNORM;
+    return {isSigned ? b : 0.5f * b + 0.5f, r};
+}
+
+glm::vec2 projectToUv(const quality::Camera& camera, glm::vec3 world)
+{
+    const glm::vec4 clip = camera.viewToClip * camera.worldToView * glm::vec4(world, 1.0f);
+    return glm::vec2(0.5f, -0.5f) * glm::vec2(clip) / clip.w + 0.5f;
+}
+
+// Builds the guide images of one frame; positions are those of the rectangle's pixels.
+struct GuideMaker
+{
+    const Setup& setup;
+    Frame& frame;
+    View now, before;
+
+    glm::vec3 worldPosition(int x, int y) const
+    {
+        const glm::vec2 uv = (glm::vec2(x, y) + 0.5f) / glm::vec2(frame.rect);
+        const glm::mat4& clip = frame.guides.camera.viewToClip; // jittered, as it was traced
+        const float z = frame.guides.viewZ[frame.pixel(x, y)];
+        const glm::vec2 ndc(2.0f * uv.x - 1.0f, 1.0f - 2.0f * uv.y);
+        const bool isOrthographic = clip[3][3] == 1.0f;
+        const float w = isOrthographic ? 1.0f : z;
+        const int column = isOrthographic ? 3 : 2;
+        const glm::vec2 shift(clip[column][0], clip[column][1]);
+        const glm::vec2 scale(clip[0][0], clip[1][1]);
+        const glm::vec2 xy = (ndc - shift) * w / scale;
+        return glm::vec3(glm::inverse(now.camera.worldToView) * glm::vec4(xy, z, 1.0f));
+    }
+
+    float storedViewZ(float z) const
+    {
+        return z * setup.unitsPerMeter * setup.viewZFactor * (setup.isRightHanded ? -1.0f : 1.0f);
+    }
+
+    // In front of the jitter: a static scene under a static camera does not move.
+    glm::vec4 motion(int x, int y) const
+    {
+        if (setup.motion == MotionKind::World)
+            return glm::vec4(-setup.sceneVelocity * setup.unitsPerMeter * setup.motionFactor, 0.0f);
+        const glm::vec3 world = worldPosition(x, y);
+        const glm::vec2 delta = projectToUv(before.camera, world) - projectToUv(now.camera, world);
+        const float z = frame.guides.viewZ[frame.pixel(x, y)];
+        const float zBefore = (before.camera.worldToView * glm::vec4(world, 1.0f)).z;
+        const glm::vec2 pixels = delta * glm::vec2(setup.rect);
+        return {pixels * setup.motionFactor, (storedViewZ(zBefore) - storedViewZ(z)) * setup.motionFactor, 0.0f};
+    }
+
+    glm::vec4 guide(int x, int y) const
+    {
+        const size_t i = frame.pixel(x, y);
+        const bool isRight = setup.hasMaterials && worldPosition(x, y).x > 0.0f;
+        return packGuide(frame.guides.normals[i], frame.guides.roughness[i], isRight ? 1.0f : 0.0f, setup);
+    }
+
+    glm::vec4 texel(Slot slot, int x, int y) const
+    {
+        const bool isSky = !frame.isInRange(x, y);
+        if (slot == Slot::IN_VIEWZ) return glm::vec4(storedViewZ(frame.guides.viewZ[frame.pixel(x, y)]), 0, 0, 0);
+        if (slot == Slot::IN_NORMAL_ROUGHNESS) return guide(x, y);
+        return isSky ? glm::vec4(0.0f) : motion(x, y);
+    }
+};
+
+bool isGuide(Slot slot) { return slot == Slot::IN_VIEWZ || slot == Slot::IN_NORMAL_ROUGHNESS || slot == Slot::IN_MV; }
+
+void addGuide(const GuideMaker& maker, Slot slot)
+{
+    Frame& frame = maker.frame;
+    const glm::ivec2 origin = maker.setup.origin / static_cast<int>(maker.setup.resolutionDivisor);
+    Plane& plane = frame.inputs[slot];
+    plane.assign(static_cast<size_t>(frame.size.x * frame.size.y), poisonOf(frame.formats[slot]));
+    for (int y = 0; y < frame.rect.y; y++)
+        for (int x = 0; x < frame.rect.x; x++) plane[frame.texel(origin.x + x, origin.y + y)] = maker.texel(slot, x, y);
+}
+
+std::optional<float> findConstant(const Setup& setup, Slot slot)
+{
+    if (slot == Slot::IN_DIFF_CONFIDENCE || slot == Slot::IN_SPEC_CONFIDENCE) return setup.confidence;
+    if (slot == Slot::IN_DISOCCLUSION_THRESHOLD_MIX) return setup.thresholdMix;
+    return {};
+}
+} // namespace
+
+bool isOutput(Slot slot) { return slot >= Slot::OUT_DIFF_RADIANCE_HITDIST; }
+
+glm::vec4 poisonOf(rhi::Format format)
+{
+    const std::string name = rhi::formatInfo(format).name;
+    return glm::vec4(name.find("FLOAT") != std::string::npos ? std::numeric_limits<float>::quiet_NaN() : 1.0f);
+}
+
+rhi::Format formatOf(const nrd::ResourceRequirement& need, const Setup& setup)
+{
+    if (need.type == Slot::IN_VIEWZ) return setup.hasHalfViewZ ? rhi::Format::R16_SFLOAT : rhi::Format::R32_SFLOAT;
+    const rhi::Format least = toRhi(need.minFormat);
+    return setup.hasLargeFormats && need.type != Slot::IN_NORMAL_ROUGHNESS ? larger(least) : least;
+}
+
+Frame makeFrame(const Setup& setup, const std::vector<nrd::ResourceRequirement>& needs, int frameIndex)
+{
+    Frame frame;
+    frame.size = {divideUp(setup.size.x, setup.resolutionDivisor), divideUp(setup.size.y, setup.resolutionDivisor)};
+    frame.rect = pixelsOf(setup, frameIndex);
+    const View view = makeView(setup, frameIndex);
+    frame.guides = renderView(setup, view, frameIndex);
+    const GuideMaker maker = {setup, frame, view, makeView(setup, std::max(frameIndex - 1, 0))};
+    for (const nrd::ResourceRequirement& need : needs)
+    {
+        if (!need.isRequired) continue;
+        frame.formats[need.type] = formatOf(need, setup);
+        const std::optional<float> constant = findConstant(setup, need.type);
+        if (isGuide(need.type))
+            addGuide(maker, need.type);
+        else if (constant)
+            frame.inputs[need.type].assign(static_cast<size_t>(frame.size.x * frame.size.y), glm::vec4(*constant));
+        else if (!isOutput(need.type))
+            addSignal(setup, frame, need.type, frameIndex);
+    }
+    return frame;
+}
+} // namespace options

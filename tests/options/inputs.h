@@ -1,0 +1,35 @@
+// The images of a frame: guides and noisy signals of a known mean, as an application hands them over.
+#pragma once
+#include "setup.h"
+#include <map>
+#include <test_image.h>
+
+namespace options
+{
+using test::Plane;
+
+// NaN where the format has it; nothing of it may be read.
+glm::vec4 poisonOf(rhi::Format format);
+
+struct Frame
+{
+    glm::ivec2 size{0};     // of the images
+    glm::ivec2 rect{0};     // the active part, outputs at its place
+    quality::Guides guides; // of the rectangle
+    std::map<nrd::ResourceType, rhi::Format> formats;
+    std::map<nrd::ResourceType, Plane> inputs; // `size`
+    std::map<nrd::ResourceType, Plane> noisy;  // `rect`, by output slot: what the noisy input says of each pixel
+    std::map<nrd::ResourceType, Plane> means;  // `rect`, by output slot: what denoising should find
+
+    size_t texel(int x, int y) const { return static_cast<size_t>(y * size.x + x); }
+    size_t pixel(int x, int y) const { return static_cast<size_t>(y * rect.x + x); }
+    bool isInRange(int x, int y) const { return std::abs(guides.viewZ[pixel(x, y)]) < quality::kDenoisingRange; }
+};
+
+// Least format, or a larger one, of a slot.
+rhi::Format formatOf(const nrd::ResourceRequirement& need, const Setup& setup);
+
+Frame makeFrame(const Setup& setup, const std::vector<nrd::ResourceRequirement>& needs, int frame);
+
+bool isOutput(nrd::ResourceType slot);
+} // namespace options

@@ -1,0 +1,30 @@
+// Every option a REBLUR denoiser has, as a change of a Setup.
+#pragma once
+#include "setup.h"
+
+namespace options
+{
+constexpr nrd::Denoiser kReblurDenoisers[] = {
+    nrd::Denoiser::REBLUR_DIFFUSE,
+    nrd::Denoiser::REBLUR_DIFFUSE_OCCLUSION,
+    nrd::Denoiser::REBLUR_DIFFUSE_SH,
+    nrd::Denoiser::REBLUR_SPECULAR,
+    nrd::Denoiser::REBLUR_SPECULAR_OCCLUSION,
+    nrd::Denoiser::REBLUR_SPECULAR_SH,
+    nrd::Denoiser::REBLUR_DIFFUSE_SPECULAR,
+    nrd::Denoiser::REBLUR_DIFFUSE_SPECULAR_OCCLUSION,
+    nrd::Denoiser::REBLUR_DIFFUSE_SPECULAR_SH,
+    nrd::Denoiser::REBLUR_DIFFUSE_DIRECTIONAL_OCCLUSION,
+};
+
+struct Option
+{
+    const char* name;
+    void (*apply)(Setup& setup);
+    bool isOfShape = false; // depends on the picture's size: borders, parity, packing
+};
+
+const std::vector<Option>& allOptions();
+
+Setup makeSetup(nrd::Denoiser denoiser, glm::ivec2 size);
+} // namespace options

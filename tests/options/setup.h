@@ -1,0 +1,82 @@
+// What an option changes: the instance, the settings, the camera and the inputs of a run of any REBLUR denoiser.
+#pragma once
+#include <functional>
+#include <glm/glm.hpp>
+#include <nrd/nrd.h>
+#include <optional>
+#include <scene.h>
+#include <vector>
+
+namespace options
+{
+enum class Projection : uint8_t
+{
+    Perspective,
+    Reversed,
+    Infinite,
+    ReversedInfinite,
+    Orthographic
+};
+
+enum class MotionKind : uint8_t
+{
+    World,   // of the scene, not of the camera
+    Screen,  // 2D
+    Screen25 // with the difference of depths
+};
+
+struct Setup
+{
+    nrd::Denoiser denoiser = nrd::Denoiser::REBLUR_DIFFUSE_SPECULAR;
+    nrd::NormalEncoding normalEncoding = nrd::NormalEncoding::R10_G10_B10_A2_UNORM;
+    nrd::RoughnessEncoding roughnessEncoding = nrd::RoughnessEncoding::LINEAR;
+    uint32_t resolutionDivisor = 1; // 1 or 2
+    nrd::ReblurSettings settings;
+
+    glm::ivec2 size{127, 63}; // resource, pixels
+    glm::ivec2 rect{127, 63};
+    glm::ivec2 origin{0};
+    bool isRectVarying = false;   // dynamic resolution: another rectangle each frame, at most `rect`
+    bool hasLargeFormats = false; // otherwise the least formats that serve
+
+    Projection projection = Projection::Perspective;
+    bool isRightHanded = false; // view space looks along -Z, depths are negative
+    float viewZFactor = 1.0f;   // what IN_VIEWZ holds per unit of depth
+    bool hasHalfViewZ = false;
+    float unitsPerMeter = 1.0f;
+
+    MotionKind motion = MotionKind::World;
+    float motionFactor = 1.0f;     // what IN_MV holds per unit, or per pixel
+    glm::vec3 sceneVelocity{0.0f}; // metres a frame; the camera goes along
+    float speed = 0.05f;           // of quality::makeCamera()
+    bool isJittered = false;
+
+    float mean = 1.0f;          // luma of the signals
+    bool isHalfMissing = false; // half of the pixels have no sample of a lobe; the others count twice
+    bool isBroken = false;      // one sample in sixteen is no number
+    std::optional<float> confidence, thresholdMix;
+    bool hasMaterials = false; // ID 1 right of the world's x = 0
+
+    std::function<void(nrd::CommonSettings&, int frame)> changeCommon;
+    std::function<quality::Camera(int frame)> camera; // in place of quality::makeCamera()
+    std::function<quality::Guides(const quality::Camera&, glm::ivec2 size, int frame)> scene;
+    std::function<float(int x, int width)> meanAt; // in place of `mean`
+};
+
+// A frame's camera, and its matrices as the application hands them over.
+struct View
+{
+    quality::Camera camera; // left-handed, metres, without jitter
+    glm::vec2 jitter{0.0f}; // pixels
+    glm::mat4 viewToClip{1.0f};
+    glm::mat4 worldToView{1.0f};
+};
+
+glm::ivec2 rectOf(const Setup& setup, int frame);   // of the full resolution
+glm::ivec2 pixelsOf(const Setup& setup, int frame); // of the denoiser
+View makeView(const Setup& setup, int frame);
+quality::Guides renderView(const Setup& setup, const View& view, int frame);
+nrd::CommonSettings makeCommon(const Setup& setup, int frame, bool isFirst);
+
+inline int divideUp(int a, uint32_t b) { return (a + static_cast<int>(b) - 1) / static_cast<int>(b); }
+} // namespace options

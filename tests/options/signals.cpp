@@ -1,0 +1,148 @@
+#include "signals.h"
+#include "catch.h"
+#include <random>
+
+namespace options
+{
+namespace
+{
+using Slot = nrd::ResourceType;
+
+constexpr float kHitDistMean = 0.35f, kOcclusionMean = 0.4f;
+const glm::vec3 kDirectionMean(0.3f, 0.8f, 0.3f); // of two with equal chance
+
+// What a path through a pixel found.
+struct Sample
+{
+    float luma = 0.0f;      // 0 or twice the mean
+    float hitDist = 0.0f;   // [0.2; 0.5)
+    float occlusion = 0.0f; // 0.2 or 0.6, exact in 8 bits
+    glm::vec3 direction{0.0f};
+};
+
+class SampleSource
+{
+public:
+    SampleSource(const Setup& setup, bool isSpecular, int frameIndex)
+        : m_setup(setup), m_rng(static_cast<unsigned>(2 * frameIndex + (isSpecular ? 1 : 0)))
+    {
+    }
+
+    Sample next(float mean)
+    {
+        Sample s;
+        s.luma = flip() ? 2.0f * mean : 0.0f;
+        s.hitDist = 0.2f + 0.3f * unit();
+        s.occlusion = flip() ? 0.6f : 0.2f;
+        s.direction = flip() ? glm::vec3(0.6f, 0.8f, 0.0f) : glm::vec3(0.0f, 0.8f, 0.6f);
+        const bool isMissing = flip();
+        if (!m_setup.isHalfMissing) return s;
+        // Divided by the chance to be there.
+        return isMissing ? Sample{} : Sample{2.0f * s.luma, s.hitDist, s.occlusion, s.direction};
+    }
+
+private:
+    float unit() { return static_cast<float>(m_rng() >> 8) * (1.0f / 16777216.0f); }
+    bool flip() { return unit() < 0.5f; }
+
+    const Setup& m_setup;
+    std::mt19937 m_rng;
+};
+
+glm::vec4 radiance(float luma, float hitDist) { return {luma, 0.1f * luma, -0.05f * luma, hitDist}; }
+
+struct Kind
+{
+    Slot output;
+    bool isSpecular;
+};
+
+Kind kindOf(Slot input)
+{
+    switch (input)
+    {
+    case Slot::IN_DIFF_RADIANCE_HITDIST:
+        return {Slot::OUT_DIFF_RADIANCE_HITDIST, false};
+    case Slot::IN_SPEC_RADIANCE_HITDIST:
+        return {Slot::OUT_SPEC_RADIANCE_HITDIST, true};
+    case Slot::IN_DIFF_HITDIST:
+        return {Slot::OUT_DIFF_HITDIST, false};
+    case Slot::IN_SPEC_HITDIST:
+        return {Slot::OUT_SPEC_HITDIST, true};
+    case Slot::IN_DIFF_DIRECTION_HITDIST:
+        return {Slot::OUT_DIFF_DIRECTION_HITDIST, false};
+    case Slot::IN_DIFF_SH0:
+        return {Slot::OUT_DIFF_SH0, false};
+    case Slot::IN_DIFF_SH1:
+        return {Slot::OUT_DIFF_SH1, false};
+    case Slot::IN_SPEC_SH0:
+        return {Slot::OUT_SPEC_SH0, true};
+    case Slot::IN_SPEC_SH1:
+        return {Slot::OUT_SPEC_SH1, true};
+    default:
+        FAIL("no signal of REBLUR: " << nrd::toString(input));
+        return {};
+    }
+}
+
+glm::vec4 encode(Slot input, const Sample& s)
+{
+    if (input == Slot::IN_DIFF_HITDIST || input == Slot::IN_SPEC_HITDIST) return glm::vec4(s.occlusion, 0, 0, 0);
+    if (input == Slot::IN_DIFF_DIRECTION_HITDIST) return {s.direction * s.occlusion, s.occlusion};
+    if (input == Slot::IN_DIFF_SH1 || input == Slot::IN_SPEC_SH1) return {s.direction * s.luma, 0.0f};
+    return radiance(s.luma, s.hitDist);
+}
+
+glm::vec4 asStored(rhi::Format format, glm::vec4 value)
+{
+    uint8_t texel[16] = {};
+    test::encodeTexel(format, value, texel);
+    return test::decodeTexel(format, texel);
+}
+
+// Two pixels share a texel of a checkerboard, and one of them has data.
+Plane packCheckerboard(const Setup& setup, const Frame& frame, Slot input, int frameIndex)
+{
+    const Kind kind = kindOf(input);
+    const Plane& noisy = frame.noisy.at(kind.output);
+    Plane plane(static_cast<size_t>(frame.size.x * frame.size.y), poisonOf(frame.formats.at(input)));
+    for (int y = 0; y < frame.rect.y; y++)
+    {
+        for (int x = 0; x < frame.rect.x; x++)
+        {
+            if (!hasData(setup.settings, kind.isSpecular, {x, y}, frameIndex) || !frame.isInRange(x, y)) continue;
+            const bool isPacked = setup.settings.checkerboardMode != nrd::CheckerboardMode::OFF;
+            const bool isBroken = setup.isBroken && (x * 7 + y * 3 + frameIndex) % 16 == 0;
+            plane[frame.texel(isPacked ? x / 2 : x, y)] =
+                isBroken ? poisonOf(frame.formats.at(input)) : noisy[frame.pixel(x, y)];
+        }
+    }
+    return plane;
+}
+} // namespace
+
+bool hasData(const nrd::ReblurSettings& settings, bool isSpecular, glm::ivec2 pixel, int frameIndex)
+{
+    if (settings.checkerboardMode == nrd::CheckerboardMode::OFF) return true;
+    const bool isBlack = ((pixel.x + pixel.y + frameIndex) & 1) == 0;
+    return isBlack == ((settings.checkerboardMode == nrd::CheckerboardMode::BLACK) != isSpecular);
+}
+
+void addSignal(const Setup& setup, Frame& frame, Slot slot, int frameIndex)
+{
+    const Kind kind = kindOf(slot);
+    Plane& noisy = frame.noisy[kind.output];
+    Plane& means = frame.means[kind.output];
+    SampleSource source(setup, kind.isSpecular, frameIndex);
+    for (int y = 0; y < frame.rect.y; y++)
+    {
+        for (int x = 0; x < frame.rect.x; x++)
+        {
+            const float mean = setup.meanAt ? setup.meanAt(x, frame.rect.x) : setup.mean;
+            noisy.push_back(asStored(frame.formats.at(slot), encode(slot, source.next(mean))));
+            means.push_back(encode(slot, {mean, kHitDistMean, kOcclusionMean, kDirectionMean}));
+        }
+    }
+    frame.inputs[slot] = packCheckerboard(setup, frame, slot, frameIndex);
+}
+} // namespace options

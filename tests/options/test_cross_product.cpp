@@ -1,0 +1,114 @@
+// Every REBLUR denoiser with every option on awkward sizes: runs without a message, writes finite values where it
+// should and nothing elsewhere, and comes closer to the truth than its input.
+#include "catch.h"
+#include "measures.h"
+#include "options.h"
+#include <cstdio>
+#include <string>
+
+using namespace options;
+
+namespace
+{
+constexpr glm::ivec2 kLarge{127, 63}, kOdd{17, 9};
+constexpr int kLargeFrames = 3, kSmallFrames = 2;
+
+// Ratios of the denoised picture's error to the noisy one's.
+struct Tally
+{
+    int combinations = 0;
+    double worst = 0.0;
+    std::string worstName;
+
+    void add(double ratio, const char* name)
+    {
+        if (ratio <= worst) return;
+        worst = ratio;
+        worstName = name;
+    }
+};
+
+bool isLarge(const Setup& setup) { return setup.size.x >= kLarge.x; }
+
+void checkFrame(const Result& result, int frame)
+{
+    INFO("frame " << frame);
+    CHECK(countBroken(result) == 0);
+    if (frame > 0) CHECK(countStray(result) == 0); // the first use clears the outputs
+}
+
+void checkError(const Result& last, const Option& option, Tally& tally)
+{
+    const bool isInput = std::string(option.name) == "split screen 1";
+    const bool isPartlyInput = std::string(option.name) == "split screen 0.5";
+    for (const auto& [slot, plane] : last.outputs)
+    {
+        const double ratio = signalError(last, slot) / noisyError(last, slot);
+        INFO(nrd::toString(slot) << ": " << ratio << " of the input's error");
+        if (isInput)
+            CHECK(ratio == Approx(1.0).epsilon(1e-3));
+        else
+            CHECK(ratio < 1.0);
+        if (!isInput && !isPartlyInput) tally.add(ratio, option.name);
+    }
+}
+
+void runOption(Runner& runner, Setup setup, const Option& option, Tally& tally)
+{
+    option.apply(setup);
+    INFO(nrd::toString(setup.denoiser) << ", " << option.name << ", " << setup.size.x << "x" << setup.size.y);
+    runner.start(setup);
+    const int frameCount = isLarge(setup) ? kLargeFrames : kSmallFrames;
+    Result last;
+    for (int frame = 0; frame < frameCount; frame++)
+    {
+        last = runner.denoise(frame);
+        checkFrame(last, frame);
+    }
+    if (isLarge(setup)) checkError(last, option, tally);
+    tally.combinations++;
+}
+
+void runOtherEncodings(nrd::Denoiser denoiser, Tally& tally)
+{
+    using N = nrd::NormalEncoding;
+    using R = nrd::RoughnessEncoding;
+    const struct
+    {
+        const char* name;
+        N normals;
+        R roughness;
+    } rows[] = {{"RGBA8_UNORM, SQ_LINEAR", N::RGBA8_UNORM, R::SQ_LINEAR},
+                {"RGBA8_SNORM, SQRT_LINEAR", N::RGBA8_SNORM, R::SQRT_LINEAR},
+                {"RGBA16_UNORM, SQ_LINEAR", N::RGBA16_UNORM, R::SQ_LINEAR},
+                {"RGBA16_SNORM, SQRT_LINEAR", N::RGBA16_SNORM, R::SQRT_LINEAR}};
+    for (const auto& row : rows)
+    {
+        Runner runner(denoiser, row.normals, row.roughness);
+        Setup setup = makeSetup(denoiser, kLarge);
+        setup.normalEncoding = row.normals;
+        setup.roughnessEncoding = row.roughness;
+        runOption(runner, setup, {row.name, [](Setup&) {}}, tally);
+    }
+}
+} // namespace
+
+TEST_CASE("every denoiser denoises with every option at every size", "[gpu]")
+{
+    for (const nrd::Denoiser denoiser : kReblurDenoisers)
+    {
+        Tally tally;
+        Runner runner(denoiser);
+        for (const Option& option : allOptions())
+        {
+            if (option.isOfShape) runOption(runner, makeSetup(denoiser, kOdd), option, tally);
+            runOption(runner, makeSetup(denoiser, kLarge), option, tally);
+        }
+        for (const glm::ivec2 size : {glm::ivec2(1, 1), glm::ivec2(3, 5)})
+            runOption(runner, makeSetup(denoiser, size), allOptions()[0], tally);
+        const uint32_t pipelines = runner.pipelineCount();
+        runOtherEncodings(denoiser, tally);
+        std::printf("FIGURE %s: %d combinations, %u pipelines, worst error %.3f of the input's (%s)\n",
+                    nrd::toString(denoiser), tally.combinations, pipelines, tally.worst, tally.worstName.c_str());
+    }
+}
