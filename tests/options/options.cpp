@@ -7,9 +7,9 @@ namespace
 using Common = nrd::CommonSettings;
 
 const Option kSettings[] = {
-    {"defaults", [](Setup&) {}, true},
-    {"checkerboard black", [](Setup& s) { s.settings.checkerboardMode = nrd::CheckerboardMode::BLACK; }, true},
-    {"checkerboard white", [](Setup& s) { s.settings.checkerboardMode = nrd::CheckerboardMode::WHITE; }, true},
+    {"defaults", [](Setup&) {}},
+    {"checkerboard black", [](Setup& s) { s.settings.checkerboardMode = nrd::CheckerboardMode::BLACK; }},
+    {"checkerboard white", [](Setup& s) { s.settings.checkerboardMode = nrd::CheckerboardMode::WHITE; }},
     {"reconstruction 3x3",
      [](Setup& s)
      {
@@ -21,16 +21,14 @@ const Option kSettings[] = {
      {
          s.settings.hitDistanceReconstructionMode = nrd::HitDistanceReconstructionMode::AREA_5X5;
          s.isHalfMissing = true;
-     },
-     true},
+     }},
     {"checkerboard with reconstruction",
      [](Setup& s)
      {
          s.settings.checkerboardMode = nrd::CheckerboardMode::BLACK;
          s.settings.hitDistanceReconstructionMode = nrd::HitDistanceReconstructionMode::AREA_5X5;
          s.isHalfMissing = true;
-     },
-     true},
+     }},
     {"responsive accumulation", [](Setup& s) { s.settings.responsiveAccumulationSettings.roughnessThreshold = 0.5f; }},
     {"reference accumulation", [](Setup& s) { s.settings.enableReferenceAccumulation = true; }},
     {"pre-pass for tracking only", [](Setup& s) { s.settings.usePrepassOnlyForSpecularMotionEstimation = true; }},
@@ -79,8 +77,7 @@ const Option kFrames[] = {
          s.hasMaterials = true;
          s.changeCommon = [](Common& common, int) { common.historyFixAlternatePixelStrideMaterialID = 1; };
      }},
-    {"split screen 0.5", [](Setup& s) { s.changeCommon = [](Common& common, int) { common.splitScreen = 0.5f; }; },
-     true},
+    {"split screen 0.5", [](Setup& s) { s.changeCommon = [](Common& common, int) { common.splitScreen = 0.5f; }; }},
     {"split screen 1", [](Setup& s) { s.changeCommon = [](Common& common, int) { common.splitScreen = 1.0f; }; }},
     {"restart in the middle",
      [](Setup& s)
@@ -91,7 +88,7 @@ const Option kFrames[] = {
     {"no cut detection",
      [](Setup& s) { s.changeCommon = [](Common& common, int) { common.enableCutDetection = false; }; }},
     {"centimetres", [](Setup& s) { s.unitsPerMeter = 100.0f; }},
-    {"half resolution", [](Setup& s) { s.resolutionDivisor = 2; }, true},
+    {"half resolution", [](Setup& s) { s.resolutionDivisor = 2; }},
 };
 
 const Option kInputs[] = {
@@ -101,9 +98,8 @@ const Option kInputs[] = {
      {
          s.rect = glm::max(s.size * 3 / 4, glm::ivec2(1));
          s.origin = s.size - s.rect;
-     },
-     true},
-    {"dynamic resolution", [](Setup& s) { s.isRectVarying = true; }, true},
+     }},
+    {"dynamic resolution", [](Setup& s) { s.isRectVarying = true; }},
     {"reversed depth", [](Setup& s) { s.projection = Projection::Reversed; }},
     {"infinite depth", [](Setup& s) { s.projection = Projection::Infinite; }},
     {"reversed infinite depth", [](Setup& s) { s.projection = Projection::ReversedInfinite; }},
@@ -136,7 +132,7 @@ const Option kInputs[] = {
          s.motionFactor = 128.0f;
          s.sceneVelocity = {0.25f, 0.0f, 0.125f};
      }},
-    {"jitter", [](Setup& s) { s.isJittered = true; }, true},
+    {"jitter", [](Setup& s) { s.isJittered = true; }},
 };
 } // namespace
 

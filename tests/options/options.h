@@ -21,7 +21,6 @@ struct Option
 {
     const char* name;
     void (*apply)(Setup& setup);
-    bool isOfShape = false; // depends on the picture's size: borders, parity, packing
 };
 
 const std::vector<Option>& allOptions();
