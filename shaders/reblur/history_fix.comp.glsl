@@ -234,9 +234,13 @@ Signal fixHistory(texture2D t, texture2D second, Pixel p, Lobe lobe, bool isSpec
     return scaled(sum, 1.0 / weightSum);
 }
 
+// The fast history of occlusion has 8 bits: what it rounded away is no disagreement.
+const float kFastRounding = kIsBounded ? 0.5 / 255.0 : 0.0;
+
 float clampTo(float value, Moments m, int lobe, float scale)
 {
-    return clamp(value, m.mean[lobe] - m.sigma[lobe] * scale, m.mean[lobe] + m.sigma[lobe] * scale);
+    float reach = m.sigma[lobe] * scale + kFastRounding;
+    return clamp(value, m.mean[lobe] - reach, m.mean[lobe] + reach);
 }
 
 // The longer the history, the more the fast one bounds it; not at all where both are equally long.
