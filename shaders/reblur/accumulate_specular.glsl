@@ -134,7 +134,9 @@ LobeResult accumulateSpecular(Surface s, SurfaceTrack surface)
 {
     LobeResult result;
     float hitDist = trackingDistance(s);
+#if IS_BOUNDED == 0
     imageStore(gOut_Track, s.pixel, vec4(hitDist));
+#endif
     float roughness = widenedRoughness(s);
     bool isValid;
     Signal signal = readAccumulated(gIn_Specular, gIn_SpecularSh, s.pixel, isValid);

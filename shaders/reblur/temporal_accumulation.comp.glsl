@@ -9,7 +9,8 @@
 #define FIRST_HISTORY (FIRST_SIGNAL + SIGNAL_NUM)
 #define FIRST_SCALAR (FIRST_HISTORY + SIGNAL_NUM)
 #define FIRST_TRACK (FIRST_SCALAR + 1 + IS_STABILIZED)
-#define FIRST_OUT (FIRST_TRACK + 2 * HAS_SPECULAR)
+#define HAS_TRACK (HAS_SPECULAR * (1 - IS_BOUNDED))
+#define FIRST_OUT (FIRST_TRACK + HAS_SPECULAR + HAS_TRACK)
 #define FIRST_SCALAR_OUT (FIRST_OUT + SIGNAL_NUM)
 
 layout(local_size_x = 8, local_size_y = 16) in;
@@ -41,16 +42,16 @@ layout(set = SET_RESOURCES, binding = FIRST_HISTORY + LOBE_NUM - 1) uniform text
 layout(set = SET_RESOURCES, binding = FIRST_TRACK) uniform texture2D gIn_SpecularHitDist;
 #else
 layout(set = SET_RESOURCES, binding = FIRST_TRACK) uniform texture2D gIn_TrackNew;
-#endif
 layout(set = SET_RESOURCES, binding = FIRST_TRACK + 1) uniform texture2D gIn_PrevTrack;
+layout(set = SET_RESOURCES, binding = FIRST_SCALAR_OUT + 2 + 2 * IS_STABILIZED) uniform writeonly image2D gOut_Track;
+#endif
 layout(set = SET_RESOURCES, binding = FIRST_OUT + LOBE_NUM - 1) uniform writeonly image2D gOut_Specular;
 #if IS_SH
 layout(set = SET_RESOURCES, binding = FIRST_SIGNAL + 2 * LOBE_NUM - 1) uniform texture2D gIn_SpecularSh;
 layout(set = SET_RESOURCES, binding = FIRST_HISTORY + 2 * LOBE_NUM - 1) uniform texture2D gIn_SpecularHistorySh;
 layout(set = SET_RESOURCES, binding = FIRST_OUT + 2 * LOBE_NUM - 1) uniform writeonly image2D gOut_SpecularSh;
 #endif
-layout(set = SET_RESOURCES, binding = FIRST_SCALAR_OUT + 2 + 2 * IS_STABILIZED) uniform writeonly image2D gOut_Track;
-layout(set = SET_RESOURCES, binding = FIRST_SCALAR_OUT + 3 + 2 * IS_STABILIZED)
+layout(set = SET_RESOURCES, binding = FIRST_SCALAR_OUT + 2 + 2 * IS_STABILIZED + HAS_TRACK)
 uniform writeonly image2D gOut_VirtualAmount;
 #endif
 layout(set = SET_RESOURCES, binding = FIRST_SCALAR) uniform texture2D gIn_Fast;

@@ -1,5 +1,5 @@
 // The history of what is seen in the surface: follows the virtual image behind the reflector.
-// Needs the textures of surface_track.glsl and gIn_PrevTrack.
+// Needs the textures of surface_track.glsl and gIn_PrevTrack, or gIn_SpecularHistory for occlusion.
 #ifndef VIRTUAL_TRACK_GLSL
 #define VIRTUAL_TRACK_GLSL
 #include "surface_track.glsl"
@@ -114,11 +114,22 @@ float lookBackConfidence(Surface s, VirtualTrack track, vec2 surfaceUv, vec4 pre
     return travelled < 1.0 ? mix(1.0, w, travelled) : w;
 }
 
+// Occlusion is a hit distance itself, so its history says what radiance needs a texture of its own for.
+float previousHitDist(Surface s, vec2 uv)
+{
+#if IS_BOUNDED
+    float history = decodeValue(textureLod(sampler2D(gIn_SpecularHistory, gLinearClamp), uv, 0.0)).w;
+    return getHitDist(history, s.viewZ, s.guide.roughness);
+#else
+    return textureLod(sampler2D(gIn_PrevTrack, gLinearClamp), uv, 0.0).x;
+#endif
+}
+
 // History whose reflected object was at another depth is foreground in place of background or the reverse.
 float parallaxConfidence(Surface s, Reflector r, VirtualTrack track, float hitDist, float curvature, float lobeTan)
 {
     vec2 uv = track.uv * g.rectSizePrev * g.resourceSizeInvPrev;
-    float previous = textureLod(sampler2D(gIn_PrevTrack, gLinearClamp), uv, 0.0).x;
+    float previous = previousHitDist(s, uv);
     vec2 image = projectToUv(g.worldToClipPrev, virtualPosition(r, previous, curvature));
     float moved = length((image - track.uv) * g.rectSize);
     float imageZ = length(virtualPosition(r, hitDist, curvature));

@@ -81,7 +81,7 @@ Setup exchanged(nrd::Denoiser denoiser)
     {
         quality::Guides guides = quality::renderGuides(camera, size.x, size.y);
         for (size_t i = 0; i < guides.viewZ.size(); i++)
-            if (frame >= kCutFrame && i % static_cast<size_t>(size.x) >= 5) guides.viewZ[i] *= 2.0f;
+            if (frame >= kCutFrame && i % static_cast<size_t>(size.x) >= 3) guides.viewZ[i] *= 2.0f;
         return guides;
     };
     return setup;

@@ -50,7 +50,7 @@ constexpr TextureRow kTextures[] = {
     {History, "History", kPerSignal, Permanent},
     {Fast, "Fast", kLuma, Permanent},
     {Stab, "Stab", perLobes(R16_SFLOAT, RG16_SFLOAT), Permanent, 1, kStabilized},
-    {Track, "Track", fixed(R16_SFLOAT), PingPong, 1, kSpecular},
+    {Track, "Track", fixed(R16_SFLOAT), PingPong, 1, kSpecularColor},
 };
 static_assert(rowsMatchKeys(kTextures));
 
@@ -153,9 +153,9 @@ constexpr PassRow kPasses[] = {
      kTemporalAccumulation,
      {Tiles, ViewZ, NormalRoughness, Motion, PrevViewZ, PrevNormalRoughness, PrevLength, kCut, kThresholdMix,
       kDiffuseConfidence, kSpecularConfidence, kEachAccumulated, each(History), Fast, kStab, kTrackNew,
-      only(kSpecularOcclusion, ResourceType::IN_SPEC_HITDIST), only(kSpecular, prev(Track))},
+      only(kSpecularOcclusion, ResourceType::IN_SPEC_HITDIST), only(kSpecularColor, prev(Track))},
      {each(Scratch), FastTemp, Length, only(kStabilized, StabHistory), only(kStabilized, StabWeight),
-      only(kSpecular, Track), only(kSpecular, VirtualAmount)},
+      only(kSpecularColor, Track), only(kSpecular, VirtualAmount)},
      kGroup8x16,
      isDenoised,
      {kPrePassSwitch, kStabilization, kMaterialTest, kConfidence, kDisocclusionMix}},
