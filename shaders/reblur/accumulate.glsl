@@ -88,7 +88,8 @@ struct HistoryRead
 
 HistoryRead surfaceRead(SurfaceTrack track)
 {
-    return HistoryRead(clamp(track.uv, 0.0, 1.0) * g.rectSizePrev, track.footprint.origin, track.weights, track.isCubic);
+    vec2 position = clamp(track.uv, 0.0, 1.0) * g.rectSizePrev;
+    return HistoryRead(position, track.footprint.origin, track.weights, track.isCubic);
 }
 
 vec4 readTexture(texture2D t, HistoryRead read)
@@ -159,7 +160,10 @@ Signal mixHistory(Signal history, Signal signal, float n, float share, float rou
 }
 
 // The short history that is never blurred.
-float mixFast(float history, float signal, float weight) { return weight == 1.0 ? signal : mix(history, signal, weight); }
+float mixFast(float history, float signal, float weight)
+{
+    return weight == 1.0 ? signal : mix(history, signal, weight);
+}
 
 // Otherwise blotches travel over the picture during rotation at high frame rates.
 float limitFast(float fast, float historyLuma, float n)
