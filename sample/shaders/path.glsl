@@ -126,7 +126,10 @@ bool advance(inout Path path, vec3 direction, float pdf, bool isAlive)
     path.surface = fetchSurface(hit, direction, path.width, path.blur * g.limits.x);
     path.bsdf = makeBsdf(path.surface);
     if (kHasTriangleLights && isAlive && path.surface.light != 0u)
-        path.radiance += path.throughput * path.surface.emission * powerHeuristic(pdf, lightPdf(path.surface, hit, hit.t));
+    {
+        float weight = powerHeuristic(pdf, lightPdf(path.surface, hit, hit.t));
+        path.radiance += path.throughput * path.surface.emission * weight;
+    }
     ++path.bounce;
     path.lobes = kDiffuseLobe | kSpecularLobe;
     return isAlive && path.bounce < g.environment.w && brightest(path.throughput) > 1e-5;
@@ -149,7 +152,8 @@ uint lobesOf(uint item, Split split)
     return (item & 1u) == 0u ? kDiffuseLobe : kSpecularLobe;
 }
 
-// Mean of the directions from which a path's radiance reaches the primary surface: the sampled light's and the bounce's.
+// Mean of the directions from which a path's radiance reaches the primary surface: the sampled light's and the
+// bounce's.
 // Shorter than 1 where they differ.
 vec3 originOf(Path path)
 {
@@ -202,7 +206,8 @@ PathSums tracePaths(Surface primary, float viewZ, float width, Split split, uint
         vec3 direction;
         float pdf;
         float chance = toUnit(hash(hash(pair) ^ index));
-        bool isAlive = sampleDirection(path, sampleSquare(pair + 0x632BE5ABu, index), choices.y, chance, direction, pdf);
+        vec2 u = sampleSquare(pair + 0x632BE5ABu, index);
+        bool isAlive = sampleDirection(path, u, choices.y, chance, direction, pdf);
         isNew = !advance(path, direction, pdf, isAlive);
         if (!isNew) continue;
         finishPath(sums, path, split, scales);

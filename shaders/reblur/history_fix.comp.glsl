@@ -246,8 +246,29 @@ float clampTo(float value, Moments m, int lobe, float scale)
 // The longer the history, the more the fast one bounds it; not at all where both are equally long.
 float fastClamp(float luma, Moments m, int lobe, float n, float sigmaScale)
 {
-    float isOn = g.maxFastAccumulatedFrameNum < g.maxAccumulatedFrameNum ? 1.0 : 0.0;
+    float isOn = g.maxFastAccumulatedFrameNum.x < g.maxAccumulatedFrameNum.x ? 1.0 : 0.0;
     return mix(clampTo(luma, m, lobe, sigmaScale), luma, 1.0 / (1.0 + 2.0 * n * isOn));
+}
+
+// own: what the fast history of this pixel was loaded with. Returns what it becomes.
+vec2 clampSignals(inout Signal signals[2], Pixel p, vec2 n, vec2 own, vec2 share)
+{
+    vec2 lumas = vec2(luma(signals[0]), luma(signals[1]));
+    vec2 fast = mix(lumas, own, share);
+    if (kHasAntiFirefly && !kIsBounded)
+    {
+        Moments wide = wideMoments(fast);
+        for (int i = 0; i < LOBE_NUM; i++) lumas[i] = clampTo(lumas[i], wide, i, kAntiFireflySigmaScale);
+    }
+    Moments near = nearMoments(fast);
+    bool isStrand = kHasMaterialTest && p.guide.materialID == g.strandMaterialID;
+    for (int i = 0; i < LOBE_NUM; i++)
+    {
+        bool isSpecular = HAS_SPECULAR == 1 && i == kSpecularChannel;
+        float scale = isStrand && isSpecular ? max(g.fastClampSigmaScale, 3.0) : g.fastClampSigmaScale;
+        signals[i] = changeLuma(signals[i], fastClamp(lumas[i], near, i, n[i], scale));
+    }
+    return fast;
 }
 
 void main()
@@ -283,22 +304,8 @@ void main()
     share[kSpecularChannel] = mix(1.0, share[kSpecularChannel], NRD_GetLobeSpread(p.guide.roughness, 0.25));
 #endif
     vec2 own = sFast[int(gl_LocalInvocationID.y) + kRadius][int(gl_LocalInvocationID.x) + kRadius];
-    vec2 lumas = vec2(luma(signals[0]), luma(signals[1]));
-    vec2 fast = mix(lumas, own, share);
+    vec2 fast = clampSignals(signals, p, n, own, share);
     imageStore(gOut_Fast, position, kIsBounded ? vec4(fast, 0.0, 0.0) : roundToHalf(vec4(fast, 0.0, 0.0)));
-    if (kHasAntiFirefly && !kIsBounded)
-    {
-        Moments wide = wideMoments(fast);
-        for (int i = 0; i < LOBE_NUM; i++) lumas[i] = clampTo(lumas[i], wide, i, kAntiFireflySigmaScale);
-    }
-    Moments near = nearMoments(fast);
-    bool isStrand = kHasMaterialTest && p.guide.materialID == g.strandMaterialID;
-    for (int i = 0; i < LOBE_NUM; i++)
-    {
-        bool isSpecular = HAS_SPECULAR == 1 && i == kSpecularChannel;
-        float scale = isStrand && isSpecular ? max(g.fastClampSigmaScale, 3.0) : g.fastClampSigmaScale;
-        signals[i] = changeLuma(signals[i], fastClamp(lumas[i], near, i, n[i], scale));
-    }
 #if HAS_DIFFUSE
     storeSignal(gOut_Diffuse, gOut_DiffuseSh, position, signals[0]);
 #endif

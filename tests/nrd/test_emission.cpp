@@ -1,5 +1,5 @@
 #include "fixture.h"
-#include "reblur_constants.h"
+#include "denoiser_constants.h"
 #include <algorithm>
 #include <set>
 

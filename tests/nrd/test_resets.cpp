@@ -1,11 +1,11 @@
 #include "fixture.h"
-#include "reblur_constants.h"
+#include "denoiser_constants.h"
 #include <algorithm>
 #include <cmath>
 #include <set>
 
 using namespace test;
-using nrd::shared::ReblurConstants;
+using nrd::shared::DenoiserConstants;
 
 namespace
 {
@@ -100,7 +100,7 @@ TEST_CASE("a reset drops history lengths and previous sizes, for the denoiser th
     common.resourceSizePrev[0] = 80;
     common.cameraJitter[0] = 0.25f;
     common.cameraJitterPrev[0] = -0.25f;
-    const ReblurConstants late = reblurConstants(requestFrame(*instance, common, {1}));
+    const DenoiserConstants late = reblurConstants(requestFrame(*instance, common, {1}));
     CHECK(late.isHistoryReset == 1);
     CHECK(late.rectSizePrev.x == 100.0f);
     CHECK(late.resourceSizeInvPrev.x == 1.0f / 100.0f);
@@ -109,7 +109,7 @@ TEST_CASE("a reset drops history lengths and previous sizes, for the denoiser th
     CHECK(late.maxFastAccumulatedFrameNum == 0.0f);
     CHECK(late.stabilizationStrength == 0.0f);
 
-    const ReblurConstants old = reblurConstants(requestFrame(*instance, common, {0}));
+    const DenoiserConstants old = reblurConstants(requestFrame(*instance, common, {0}));
     CHECK(old.isHistoryReset == 0);
     CHECK(old.rectSizePrev.x == 50.0f);
     CHECK(old.resourceSizeInvPrev.x == 1.0f / 80.0f);

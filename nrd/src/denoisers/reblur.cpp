@@ -140,8 +140,8 @@ constexpr ShaderSet kValidation = {Shader::ReblurValidationDiffuse,
 
 // name, shader per variant, reads, writes, group, runs if, switches. Outputs are written once, by the last pass.
 constexpr PassRow kPasses[] = {
-    {"Classify tiles", Shader::ReblurClassifyTiles, {ViewZ, Motion, PrevViewZ}, {Tiles}, kTile, isDenoised},
-    {"Detect cut", Shader::ReblurDetectCut, {Tiles}, {Cut}, kOneGroup, runsCutDetection, {}, kOneTexel},
+    {"Classify tiles", Shader::ClassifyTiles, {ViewZ, Motion, PrevViewZ}, {Tiles}, kTile, isDenoised},
+    {"Detect cut", Shader::DetectCut, {Tiles}, {Cut}, kOneGroup, runsCutDetection, {}, kOneTexel},
     {"Pre-pass",
      kPrePass,
      {Tiles, ViewZ, NormalRoughness, kEachInput},
@@ -240,11 +240,11 @@ constexpr Variant kVariants[] = {
     {Denoiser::REBLUR_DIFFUSE_DIRECTIONAL_OCCLUSION, kDiffuse, kDirectionalOcclusion, {kDirection}},
 };
 static_assert(shadersMatchVariants(kPasses, kVariants));
-static_assert(sizeof(shared::ReblurConstants) <= kConstantMaxByteSize);
+static_assert(sizeof(shared::DenoiserConstants) <= kConstantMaxByteSize);
 
 void fillConstants(const Request& request, void* block)
 {
-    const shared::ReblurConstants constants = makeReblurConstants(request);
+    const shared::DenoiserConstants constants = makeReblurConstants(request);
     std::memcpy(block, &constants, sizeof(constants));
 }
 
@@ -260,6 +260,6 @@ RequestHistory advance(const Request& request)
 }
 } // namespace
 
-const Family kReblur = {ReblurSettings{}, kVariants, kTextures, kPasses, sizeof(shared::ReblurConstants), true,
+const Family kReblur = {ReblurSettings{}, kVariants, kTextures, kPasses, sizeof(shared::DenoiserConstants), true,
                         fillConstants,    advance};
 } // namespace nrd

@@ -83,7 +83,7 @@ vec4 virtualAmountColor(ivec2 pixel)
 vec4 lengthColor(View v, int channel)
 {
     if (!hasHistory()) return kNothing;
-    float maxLength = max(g.maxAccumulatedFrameNum, 1.0);
+    float maxLength = max(max(g.maxAccumulatedFrameNum.x, g.maxAccumulatedFrameNum.y), 1.0);
     vec4 color = kBlack;
     if (isShown(v.source))
     {
@@ -95,7 +95,7 @@ vec4 lengthColor(View v, int channel)
     if (v.pixel.y >= barTop) return vec4(rainbow(v.uv.x), 1.0);
     int scale = textScale(v);
     int textTop = barTop - (kGlyphSize.y + 1) * scale;
-    uint number = uint(g.maxAccumulatedFrameNum);
+    uint number = uint(max(g.maxAccumulatedFrameNum.x, g.maxAccumulatedFrameNum.y));
     int digitNum = number >= 10u ? 2 : 1;
     drawNumber(v, 0u, ivec2(scale, textTop), color);
     drawNumber(v, number, ivec2(int(v.size.x) - kAdvance * digitNum * scale, textTop), color);

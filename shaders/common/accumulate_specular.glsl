@@ -84,7 +84,7 @@ float surfaceConfidence(Surface s, SurfaceTrack track, float roughness, float no
     float weight = newSampleWeight(track.n[kSpecularChannel]);
     vec2 uv = clamp(track.uv, 0.0, 1.0) * g.rectSizePrev * g.resourceSizeInvPrev;
     float history = decodeValue(textureLod(sampler2D(gIn_SpecularHistory, gLinearClamp), uv, 0.0)).w;
-    float mixed = weight == 1.0 ? normHitDist : mix(history, normHitDist, weight);
+    float mixed = weight == 1.0 || kIsRelax ? normHitDist : mix(history, normHitDist, weight);
     float hitDist = getHitDist(mixed, s.viewZ, s.guide.roughness);
     float factor = hitDistFactor(hitDist, s.frustumSize);
     float tangent = lobeTangent(roughness, 0.75) * mix(s.NoV, 1.0, roughness) * weight / (factor + kEps);
@@ -99,7 +99,7 @@ float responsiveLength(float roughness, float NoN)
     float response = smooth01(max(roughness, 1e-3) / max(g.responsiveRoughnessThreshold, 1e-3));
     float spread = NRD_GetLobeSpread(roughness, 0.25);
     float f = mix(spread, 1.0, response) * pow(saturate(NoN) + kEps, mix(32.0, 1.0, spread) * (1.0 - response));
-    return max(g.maxAccumulatedFrameNum * f, g.responsiveMinFrameNum);
+    return max(g.maxAccumulatedFrameNum.y * f, g.responsiveMinFrameNum);
 }
 
 // Amount of the virtual track in [0; 1]: it wins ties, the surface must be clearly longer to win.
@@ -130,6 +130,46 @@ void showVirtualAmount(ivec2 pixel, float amount)
     if (g.hasValidation != 0u && isShown) imageStore(gOut_VirtualAmount, pixel / VIRTUAL_AMOUNT_STEP, vec4(amount));
 }
 
+// Of both tracks: surface, virtual.
+struct SpecularLengths
+{
+    vec2 n;
+    vec2 nFix; // what the history fix is told
+    vec2 trust;
+};
+
+// motion: 0 where nothing moves on screen, 1 from a quarter of a pixel on.
+SpecularLengths measureLengths(Surface s, SurfaceTrack surface, VirtualTrack image, float normHitDist, float motion)
+{
+    float roughness = widenedRoughness(s);
+    vec2 confidence = vec2(surface.quality, image.quality);
+    if (kHasConfidence)
+    {
+        vec2 given = vec2(textureLod(sampler2D(gIn_SpecularConfidence, gLinearClamp), surface.uv, 0.0).x,
+                          textureLod(sampler2D(gIn_SpecularConfidence, gLinearClamp), image.uv, 0.0).x);
+        confidence = min(confidence, given);
+    }
+    vec2 n = vec2(applyConfidence(surface.n[kSpecularChannel], confidence.x), applyConfidence(image.n, confidence.y));
+    vec2 responsive = vec2(responsiveLength(roughness, dot(surface.NoN, surface.footprint.bilinear)),
+                           responsiveLength(roughness, image.NoN));
+    SpecularLengths lengths;
+    lengths.trust = vec2(surfaceConfidence(s, surface, roughness, normHitDist, motion), image.confidence);
+    n = min(n, g.maxAccumulatedFrameNum.y * lengths.trust);
+    // Responsiveness alone must not trigger the history fix, so the length that is passed on is capped more mildly.
+    lengths.nFix = min(n, max(responsive, vec2(g.historyFixFrameNum)));
+    lengths.n = min(n, responsive);
+    return lengths;
+}
+
+// The weight of a new sample in the short history, which distrusts what neither track vouches for.
+float specularFastWeight(Surface s, float n, float trust, float share)
+{
+    float longest = g.maxFastAccumulatedFrameNum.y;
+    if (kHasMaterialTest && s.guide.materialID == g.strandMaterialID)
+        longest = max(longest, g.maxAccumulatedFrameNum.y * 0.2);
+    return max(1.0 - trust, newSampleWeight(min(n, longest)) * share);
+}
+
 LobeResult accumulateSpecular(Surface s, SurfaceTrack surface)
 {
     LobeResult result;
@@ -137,46 +177,32 @@ LobeResult accumulateSpecular(Surface s, SurfaceTrack surface)
 #if IS_BOUNDED == 0
     imageStore(gOut_Track, s.pixel, vec4(hitDist));
 #endif
-    float roughness = widenedRoughness(s);
     bool isValid;
     Signal signal = readAccumulated(gIn_Specular, gIn_SpecularSh, s.pixel, isValid);
     float motion = saturate(length((surface.uv - s.uv) * g.rectSize) / 0.25);
     VirtualTrack image = trackVirtual(s, surface, hitDist, motionCurvature(s, surface));
-
-    vec2 confidence = vec2(surface.quality, image.quality);
-    if (kHasConfidence)
-    {
-        confidence.x = min(confidence.x, textureLod(sampler2D(gIn_SpecularConfidence, gLinearClamp), surface.uv, 0.0).x);
-        confidence.y = min(confidence.y, textureLod(sampler2D(gIn_SpecularConfidence, gLinearClamp), image.uv, 0.0).x);
-    }
-    vec2 n = vec2(applyConfidence(surface.n[kSpecularChannel], confidence.x), applyConfidence(image.n, confidence.y));
-    vec2 trust = vec2(surfaceConfidence(s, surface, roughness, signal.value.w, motion), image.confidence);
-    vec2 responsive = vec2(responsiveLength(roughness, dot(surface.NoN, surface.footprint.bilinear)),
-                           responsiveLength(roughness, image.NoN));
-    n = min(n, g.maxAccumulatedFrameNum * trust);
-    // Responsiveness alone must not trigger the history fix, so the length that is passed on is capped more mildly.
-    vec2 nFix = min(n, max(responsive, vec2(g.historyFixFrameNum)));
-    n = min(n, responsive);
+    SpecularLengths lengths = measureLengths(s, surface, image, signal.value.w, motion);
 
     bool isAttached = kHasMaterialTest && s.guide.materialID == g.cameraAttachedMaterialID;
-    float amount = virtualAmount(n.y, n.x) * (isAttached ? 1.0 : motion);
+    float amount = virtualAmount(lengths.n.y, lengths.n.x) * (isAttached ? 1.0 : motion);
     // A position between two different surfaces would smear.
     if (!surface.isCubic || !image.isCubic) amount = amount >= 0.5 ? 1.0 : 0.0;
     showVirtualAmount(s.pixel, amount);
     HistoryRead read = mixedRead(surface, image, amount);
-    float length = mix(n.x, n.y, amount);
-    result.n = mix(nFix.x, nFix.y, amount);
+    float n = mix(lengths.n.x, lengths.n.y, amount);
+    result.n = mix(lengths.nFix.x, lengths.nFix.y, amount);
     Signal history = readHistory(gIn_SpecularHistory, gIn_SpecularHistorySh, read);
     if (!isValid) signal = history;
-    float share = dataShare(s.pixel, true, length);
-    Signal mixed = mixHistory(history, signal, length, share, s.guide.roughness);
+    float share = dataShare(s.pixel, true, n);
+    Signal mixed = mixHistory(history, signal, n, share, s.guide.roughness);
     storeSignal(gOut_Specular, gOut_SpecularSh, s.pixel, mixed);
     float fastHistory = fetchBilinear(gIn_Fast, read.origin, read.weights, lastPrevTexel())[kSpecularChannel];
-    float fastLength = g.maxFastAccumulatedFrameNum;
-    if (kHasMaterialTest && s.guide.materialID == g.strandMaterialID)
-        fastLength = max(fastLength, g.maxAccumulatedFrameNum * 0.2);
-    float fastWeight = max(1.0 - mix(trust.x, trust.y, amount), newSampleWeight(min(length, fastLength)) * share);
-    result.fast = limitFast(mixFast(fastHistory, luma(signal), fastWeight), luma(history), length);
+    float fastWeight = specularFastWeight(s, n, mix(lengths.trust.x, lengths.trust.y, amount), share);
+    result.fast = limitFast(mixFast(fastHistory, luma(signal), fastWeight), luma(history), n);
+    result.noisy = luma(signal);
+#if IS_RELAX
+    imageStore(gOut_Confidence, s.pixel, vec4(mix(lengths.trust.x, lengths.trust.y, amount)));
+#endif
     result.stabHistory = readStabilized(kSpecularChannel, read);
     float valid = mix(dot(surface.weights, vec4(1.0)), dot(image.weights, vec4(1.0)), amount);
     result.stabWeight = isHistoryReset() ? 0.0 : sqrt(saturate(valid));

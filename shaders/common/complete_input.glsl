@@ -1,5 +1,5 @@
-// What an application may leave out of a pixel: hit distances of a lobe that was not chosen, and every second pixel of a
-// checkerboard. Needs gIn_ViewZ and gIn_NormalRoughness.
+// What an application may leave out of a pixel: hit distances of a lobe that was not chosen, and every second pixel of
+// a checkerboard. Needs gIn_ViewZ and gIn_NormalRoughness.
 #ifndef COMPLETE_INPUT_GLSL
 #define COMPLETE_INPUT_GLSL
 
