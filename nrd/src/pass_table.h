@@ -30,7 +30,7 @@ enum Lobes : uint8_t
 };
 
 // One alternative per family; the family's default is what a new denoiser starts with.
-using FamilySettings = std::variant<ReblurSettings, ReferenceSettings>;
+using FamilySettings = std::variant<ReblurSettings, RelaxSettings, ReferenceSettings>;
 
 // What a signal consists of. One value for a variant, several for what a row applies to.
 enum Kinds : uint8_t
