@@ -112,6 +112,12 @@ vec4 hitDistColor(texture2D signal, texture2D second, ivec2 pixel)
     bool isFinite = NRD_IsRadianceFinite(value.xyz);
     if (kIsSh) isFinite = isFinite && NRD_IsRadianceFinite(texelFetch(second, texel, 0).xyz);
     float hitDist = kIsOcclusion ? value.x : value.w;
+    // World units, shown over the length that REBLUR takes for open.
+    if (kIsRelax)
+    {
+        float viewZ = decodeViewZ(texelFetch(gIn_ViewZ, guideTexel(pixel), 0).x);
+        hitDist = REBLUR_FrontEnd_GetNormHitDist(hitDist, viewZ, g.hitDistanceParameters.xyz, 1.0);
+    }
     if (!isFinite) return kMagenta;
     return hitDist == 0.0 ? kRed : greyOf(hitDist);
 }
