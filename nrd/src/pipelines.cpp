@@ -16,8 +16,8 @@ uint16_t PipelineTable::add(const Block& block)
     for (const Block& other : m_blocks)
     {
         if (other.shader == block.shader && other.step == block.step &&
-            std::equal(other.switches.begin(), other.switches.end(),
-                                                       block.switches.begin(), block.switches.end(), isSameSwitch))
+            std::equal(other.switches.begin(), other.switches.end(), block.switches.begin(), block.switches.end(),
+                       isSameSwitch))
         {
             return static_cast<uint16_t>(other.firstPipeline);
         }

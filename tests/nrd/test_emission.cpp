@@ -1,5 +1,5 @@
-#include "fixture.h"
 #include "denoiser_constants.h"
+#include "fixture.h"
 #include <algorithm>
 #include <set>
 

@@ -1,5 +1,5 @@
-#include "fixture.h"
 #include "denoiser_constants.h"
+#include "fixture.h"
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -105,8 +105,8 @@ TEST_CASE("a reset drops history lengths and previous sizes, for the denoiser th
     CHECK(late.rectSizePrev.x == 100.0f);
     CHECK(late.resourceSizeInvPrev.x == 1.0f / 100.0f);
     CHECK(late.disocclusionThreshold == Approx(0.01f + 1.0f / 60.0f)); // no jitter between equal frames
-    CHECK(late.maxAccumulatedFrameNum == 0.0f);
-    CHECK(late.maxFastAccumulatedFrameNum == 0.0f);
+    CHECK(late.maxAccumulatedFrameNum.y == 0.0f);
+    CHECK(late.maxFastAccumulatedFrameNum.y == 0.0f);
     CHECK(late.stabilizationStrength == 0.0f);
 
     const DenoiserConstants old = reblurConstants(requestFrame(*instance, common, {0}));
@@ -114,7 +114,7 @@ TEST_CASE("a reset drops history lengths and previous sizes, for the denoiser th
     CHECK(old.rectSizePrev.x == 50.0f);
     CHECK(old.resourceSizeInvPrev.x == 1.0f / 80.0f);
     CHECK(old.disocclusionThreshold == Approx(0.01f + 1.5f / 60.0f));
-    CHECK(old.maxAccumulatedFrameNum == 30.0f);
+    CHECK(old.maxAccumulatedFrameNum.y == 30.0f);
     CHECK(old.stabilizationStrength == Approx(63.0f / 64.0f));
 }
 

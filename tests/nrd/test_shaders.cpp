@@ -1,9 +1,9 @@
 // The tables against the SPIR-V that was built: bindings, group sizes, switches, constants.
 #include "bindings.h"
+#include "denoiser_constants.h"
 #include "denoisers/families.h"
 #include "expand.h"
 #include "fixture.h"
-#include "denoiser_constants.h"
 #include "reference_constants.h"
 #include "spirv.h"
 #include <algorithm>
@@ -182,7 +182,7 @@ TEST_CASE("constants lie at the same offsets in C++ and in SPIR-V", "[unit]")
 {
     using shared::DenoiserConstants;
     using shared::ReferenceConstants;
-    const Member reblur[] = {
+    const Member both[] = {
         {"worldToClip", offsetof(DenoiserConstants, worldToClip)},
         {"worldToClipPrev", offsetof(DenoiserConstants, worldToClipPrev)},
         {"worldToViewPrev", offsetof(DenoiserConstants, worldToViewPrev)},
@@ -199,11 +199,17 @@ TEST_CASE("constants lie at the same offsets in C++ and in SPIR-V", "[unit]")
         {"rotatorPostBlur", offsetof(DenoiserConstants, rotatorPostBlur)},
         {"hitDistanceParameters", offsetof(DenoiserConstants, hitDistanceParameters)},
         {"motionVectorScale", offsetof(DenoiserConstants, motionVectorScale)},
+        {"relaxAntilag", offsetof(DenoiserConstants, relaxAntilag)},
         {"rectSize", offsetof(DenoiserConstants, rectSize)},
         {"rectSizeInv", offsetof(DenoiserConstants, rectSizeInv)},
         {"rectSizePrev", offsetof(DenoiserConstants, rectSizePrev)},
         {"resourceSizeInv", offsetof(DenoiserConstants, resourceSizeInv)},
         {"resourceSizeInvPrev", offsetof(DenoiserConstants, resourceSizeInvPrev)},
+        {"relaxPhi", offsetof(DenoiserConstants, relaxPhi)},
+        {"relaxMaxLumaStop", offsetof(DenoiserConstants, relaxMaxLumaStop)},
+        {"relaxEdgeRelaxation", offsetof(DenoiserConstants, relaxEdgeRelaxation)},
+        {"maxAccumulatedFrameNum", offsetof(DenoiserConstants, maxAccumulatedFrameNum)},
+        {"maxFastAccumulatedFrameNum", offsetof(DenoiserConstants, maxFastAccumulatedFrameNum)},
         {"convergence", offsetof(DenoiserConstants, convergence)},
         {"rectOrigin", offsetof(DenoiserConstants, rectOrigin)},
         {"rectSizeMinusOne", offsetof(DenoiserConstants, rectSizeMinusOne)},
@@ -215,8 +221,6 @@ TEST_CASE("constants lie at the same offsets in C++ and in SPIR-V", "[unit]")
         {"disocclusionThreshold", offsetof(DenoiserConstants, disocclusionThreshold)},
         {"disocclusionThresholdAlternate", offsetof(DenoiserConstants, disocclusionThresholdAlternate)},
         {"planeDistanceSensitivity", offsetof(DenoiserConstants, planeDistanceSensitivity)},
-        {"maxAccumulatedFrameNum", offsetof(DenoiserConstants, maxAccumulatedFrameNum)},
-        {"maxFastAccumulatedFrameNum", offsetof(DenoiserConstants, maxFastAccumulatedFrameNum)},
         {"historyFixFrameNum", offsetof(DenoiserConstants, historyFixFrameNum)},
         {"minBlurRadius", offsetof(DenoiserConstants, minBlurRadius)},
         {"maxBlurRadius", offsetof(DenoiserConstants, maxBlurRadius)},
@@ -238,6 +242,12 @@ TEST_CASE("constants lie at the same offsets in C++ and in SPIR-V", "[unit]")
         {"splitScreen", offsetof(DenoiserConstants, splitScreen)},
         {"splitScreenPrev", offsetof(DenoiserConstants, splitScreenPrev)},
         {"strandThickness", offsetof(DenoiserConstants, strandThickness)},
+        {"relaxLobeAngle", offsetof(DenoiserConstants, relaxLobeAngle)},
+        {"relaxLobeAngleSlack", offsetof(DenoiserConstants, relaxLobeAngleSlack)},
+        {"relaxDepthThreshold", offsetof(DenoiserConstants, relaxDepthThreshold)},
+        {"relaxFixNormalPower", offsetof(DenoiserConstants, relaxFixNormalPower)},
+        {"relaxSpatialVarianceFrameNum", offsetof(DenoiserConstants, relaxSpatialVarianceFrameNum)},
+        {"relaxRoughnessStop", offsetof(DenoiserConstants, relaxRoughnessStop)},
         {"strandMaterialID", offsetof(DenoiserConstants, strandMaterialID)},
         {"cameraAttachedMaterialID", offsetof(DenoiserConstants, cameraAttachedMaterialID)},
         {"historyFixAlternateMaterialID", offsetof(DenoiserConstants, historyFixAlternateMaterialID)},
@@ -258,6 +268,6 @@ TEST_CASE("constants lie at the same offsets in C++ and in SPIR-V", "[unit]")
         {"splitScreen", offsetof(ReferenceConstants, splitScreen)},
         {"weight", offsetof(ReferenceConstants, weight)},
     };
-    checkMembers(Shader::ReblurBlurDiffuseSpecular, "DenoiserConstants", reblur);
+    checkMembers(Shader::ReblurBlurDiffuseSpecular, "DenoiserConstants", both);
     checkMembers(Shader::ReferenceAccumulate, "ReferenceConstants", reference);
 }

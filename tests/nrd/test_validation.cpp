@@ -1,6 +1,6 @@
 // The overlay as a pass like any other: there when it is asked for, and nowhere else.
-#include "fixture.h"
 #include "denoiser_constants.h"
+#include "fixture.h"
 #include <algorithm>
 
 using namespace test;

@@ -1,7 +1,7 @@
 // The constants of REBLUR. Pure.
 #pragma once
-#include "pass_table.h"
 #include "denoiser_constants.h"
+#include "pass_table.h"
 
 namespace nrd
 {
