@@ -195,14 +195,18 @@ LobeResult accumulateSpecular(Surface s, SurfaceTrack surface)
     if (!isValid) signal = history;
     float share = dataShare(s.pixel, true, n);
     Signal mixed = mixHistory(history, signal, n, share, s.guide.roughness);
+#if IS_RELAX
+    float confidence = mix(lengths.trust.x, lengths.trust.y, amount);
+    imageStore(gOut_Confidence, s.pixel, vec4(confidence));
+    // No variance yet is no certainty.
+    if (mixed.value.w == 0.0)
+        mixed.value.w = min(g.relaxVarianceBoost * (1.0 - confidence) / max(square(luma(mixed)), 1e-12), NRD_FP16_MAX);
+#endif
     storeSignal(gOut_Specular, gOut_SpecularSh, s.pixel, mixed);
     float fastHistory = fetchBilinear(gIn_Fast, read.origin, read.weights, lastPrevTexel())[kSpecularChannel];
     float fastWeight = specularFastWeight(s, n, mix(lengths.trust.x, lengths.trust.y, amount), share);
     result.fast = limitFast(mixFast(fastHistory, luma(signal), fastWeight), luma(history), n);
     result.noisy = luma(signal);
-#if IS_RELAX
-    imageStore(gOut_Confidence, s.pixel, vec4(mix(lengths.trust.x, lengths.trust.y, amount)));
-#endif
     result.stabHistory = readStabilized(kSpecularChannel, read);
     float valid = mix(dot(surface.weights, vec4(1.0)), dot(image.weights, vec4(1.0)), amount);
     result.stabWeight = isHistoryReset() ? 0.0 : sqrt(saturate(valid));

@@ -8,13 +8,14 @@ layout(constant_id = SPEC_STEP) const int kStep = 0;
 layout(constant_id = SPEC_IS_LAST) const bool kIsLast = false;
 
 layout(local_size_x = 8, local_size_y = 16) in;
-#define FIRST_SIGNAL (4 + HAS_SPECULAR)
+#define FIRST_SIGNAL (4 + LOBE_NUM + HAS_SPECULAR)
 #define FIRST_OUT (FIRST_SIGNAL + SIGNAL_NUM)
 layout(set = SET_RESOURCES, binding = 0) uniform texture2D gIn_Tiles;
 layout(set = SET_RESOURCES, binding = 1) uniform texture2D gIn_ViewZ;
 layout(set = SET_RESOURCES, binding = 2) uniform texture2D gIn_NormalRoughness;
 layout(set = SET_RESOURCES, binding = 3) uniform texture2D gIn_Length;
 #if HAS_DIFFUSE
+layout(set = SET_RESOURCES, binding = 4) uniform texture2D gIn_DiffuseConfidence;
 layout(set = SET_RESOURCES, binding = FIRST_SIGNAL) uniform texture2D gIn_Diffuse;
 layout(set = SET_RESOURCES, binding = FIRST_OUT) uniform writeonly image2D gOut_Diffuse;
 #if IS_SH
@@ -23,7 +24,8 @@ layout(set = SET_RESOURCES, binding = FIRST_OUT + LOBE_NUM) uniform writeonly im
 #endif
 #endif
 #if HAS_SPECULAR
-layout(set = SET_RESOURCES, binding = 4) uniform texture2D gIn_Confidence;
+layout(set = SET_RESOURCES, binding = 3 + LOBE_NUM) uniform texture2D gIn_SpecularConfidence;
+layout(set = SET_RESOURCES, binding = 4 + LOBE_NUM) uniform texture2D gIn_Confidence; // in the reprojection
 layout(set = SET_RESOURCES, binding = FIRST_SIGNAL + LOBE_NUM - 1) uniform texture2D gIn_Specular;
 layout(set = SET_RESOURCES, binding = FIRST_OUT + LOBE_NUM - 1) uniform writeonly image2D gOut_Specular;
 #if IS_SH
@@ -57,8 +59,13 @@ float tapWeight(Pixel p, Lobe lobe, bool isSpecular, ivec2 pixel, Stops stops)
     float viewZ = decodeViewZ(texelFetch(gIn_ViewZ, guideTexel(pixel), 0).x);
     Guide guide = decodeGuide(texelFetch(gIn_NormalRoughness, guideTexel(pixel), 0));
     if (!isInRange(viewZ) || !isSameMaterial(p.guide.materialID, guide.materialID, lobe.minMaterial)) return 0.0;
-    float weight = soft(abs(dot(p.Nv, tapPosition(pixel, viewZ) - p.Xv)) * stops.plane);
-    weight *= soft(acosApprox(dot(p.guide.N, guide.N)) * stops.normal);
+    vec3 Xv = tapPosition(pixel, viewZ);
+    float weight = soft(abs(dot(p.Nv, Xv - p.Xv)) * stops.plane);
+    float cosine = dot(p.guide.N, guide.N);
+    // What is reflected changes with the view as well; seen from farther back, it changes less.
+    if (isSpecular && g.cameraDelta.w == 0.0)
+        cosine = min(cosine, dot(p.Vv, -normalize(Xv + g.relaxViewRelaxation * p.Xv)));
+    weight *= soft(acosApprox(cosine) * stops.normal);
     if (isSpecular) weight *= soft(abs(guide.roughness - p.guide.roughness) * stops.roughness);
     return weight;
 }
@@ -102,10 +109,12 @@ float spatialVariance(texture2D t, Pixel p, Lobe lobe, bool isSpecular, ivec2 po
     return max(square_ / max(weightSum, kEps) - mean * mean, 0.0);
 }
 
-Stops makeStops(Pixel p, Lobe lobe, bool isSpecular, float n, float confidence)
+// doubt: the application's about the history, [0; 1].
+Stops makeStops(Pixel p, Lobe lobe, bool isSpecular, float n, float confidence, float doubt)
 {
     float step = float(1 << kStep);
-    float share = g.relaxLobeAngle / (kIsSh ? 1.0 : sqrt(step));
+    float share = (kIsSh ? 1.0 : g.relaxLobeAngle) / sqrt(step);
+    share = mix(share, 0.99, saturate(doubt * g.relaxDoubt.z));
     // Short histories have more to gain from a wide cone than to lose.
     float settled = saturate(n / 5.0);
     Stops stops;
@@ -118,6 +127,7 @@ Stops makeStops(Pixel p, Lobe lobe, bool isSpecular, float n, float confidence)
     stops.plane = 1.0 / (g.relaxDepthThreshold * p.viewZ);
     stops.maxLuma = isSpecular ? g.relaxMaxLumaStop.y : g.relaxMaxLumaStop.x;
     stops.relax = isSpecular && kStep <= 2 ? mix(1.0, confidence, g.relaxEdgeRelaxation.x) : 1.0;
+    stops.relax *= 1.0 - saturate(doubt * g.relaxDoubt.y);
     stops.luma = 0.0;
     return stops;
 }
@@ -132,11 +142,17 @@ ivec2 jitter(ivec2 position)
     return ivec2(float(step) * (u - 0.5) * 0.5);
 }
 
+float doubtOf(texture2D confidences, vec2 uv)
+{
+    if (!kHasConfidence) return 0.0;
+    float given = textureLod(sampler2D(confidences, gLinearClamp), uv, 0.0).x;
+    return saturate(g.relaxDoubt.x * (1.0 - given));
+}
+
 Signal filterLobe(texture2D t, texture2D second, Pixel p, Lobe lobe, bool isSpecular, ivec2 position, float n,
-                  float confidence)
+                  Stops stops)
 {
     Signal centre = readSignal(t, second, position);
-    Stops stops = makeStops(p, lobe, isSpecular, n, confidence);
     float variance = varianceOf(centre);
     if (kStep == 0)
     {
@@ -188,14 +204,16 @@ void main()
     vec2 n = unpackLengths(texelFetch(gIn_Length, position, 0).xy);
 #if HAS_DIFFUSE
     Lobe diffuse = Lobe(1.0, g.minMaterialForDiffuse, 0.0);
+    Stops diffuseStops = makeStops(p, diffuse, false, n.x, 1.0, doubtOf(gIn_DiffuseConfidence, p.uv));
     store(gOut_Diffuse, gOut_DiffuseSh, position,
-          filterLobe(gIn_Diffuse, gIn_DiffuseSh, p, diffuse, false, position, n.x, 1.0), n.x);
+          filterLobe(gIn_Diffuse, gIn_DiffuseSh, p, diffuse, false, position, n.x, diffuseStops), n.x);
 #endif
 #if HAS_SPECULAR
     Lobe specular = Lobe(p.guide.roughness, g.minMaterialForSpecular, 0.0);
     float nSpecular = n[kSpecularChannel];
     float confidence = texelFetch(gIn_Confidence, position, 0).x;
+    Stops stops = makeStops(p, specular, true, nSpecular, confidence, doubtOf(gIn_SpecularConfidence, p.uv));
     store(gOut_Specular, gOut_SpecularSh, position,
-          filterLobe(gIn_Specular, gIn_SpecularSh, p, specular, true, position, nSpecular, confidence), nSpecular);
+          filterLobe(gIn_Specular, gIn_SpecularSh, p, specular, true, position, nSpecular, stops), nSpecular);
 #endif
 }

@@ -98,11 +98,12 @@ template <uint32_t Step> constexpr PassRow atrous(const char* name)
     constexpr Tex kTo = Step % 2 == 0 ? Scratch : Pong;
     PassRow row = {name,
                    kAtrous,
-                   {Tiles, ViewZ, NormalRoughness, Length, only(kSpecular, Confidence), each(kFrom)},
+                   {Tiles, ViewZ, NormalRoughness, Length, kDiffuseConfidence, kSpecularConfidence,
+                    only(kSpecular, Confidence), each(kFrom)},
                    {choose(isLastStep<Step>, kEachOutput, each(kTo))},
                    kGroup8x16,
                    runsStep<Step>,
-                   {kMaterialTest, {SPEC_IS_LAST, isLastStep<Step>}}};
+                   {kMaterialTest, kConfidence, {SPEC_IS_LAST, isLastStep<Step>}}};
     row.step = Step;
     return row;
 }

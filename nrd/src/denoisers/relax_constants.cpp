@@ -61,6 +61,10 @@ void fillWavelet(const RelaxSettings& s, shared::DenoiserConstants& g)
     g.relaxLobeAngleSlack = s.specularLobeAngleSlack * kRadians;
     g.relaxDepthThreshold = s.depthThreshold;
     g.relaxSpatialVarianceFrameNum = static_cast<float>(s.spatialVarianceEstimationHistoryThreshold);
+    g.relaxDoubt = {s.confidenceDrivenRelaxationMultiplier, s.confidenceDrivenLuminanceEdgeStoppingRelaxation,
+                    s.confidenceDrivenNormalEdgeStoppingRelaxation, 0.0f};
+    g.relaxViewRelaxation = s.roughnessEdgeStoppingRelaxation;
+    g.relaxVarianceBoost = s.specularVarianceBoost;
     g.relaxRoughnessStop = s.enableRoughnessEdgeStopping ? 1 : 0;
 }
 } // namespace
