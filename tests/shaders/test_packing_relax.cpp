@@ -90,8 +90,9 @@ TEST_CASE("the mean cosine of RELAX's SH does not depend on the colour", "[gpu]"
 
 TEST_CASE("RELAX's hit distance fits half floats; any large value is a miss, NaN no sample", "[gpu]")
 {
-    const auto packedDistance = [](float hitDist, float sanitize)
-    { return runFunction(FN_PACK_RELAX, {Vec4{1, 2, 3, hitDist}, Vec4{sanitize, 0, 0, 0}}).first; };
+    const auto packedDistance = [](float hitDist, float sanitize) {
+        return runFunction(FN_PACK_RELAX, {Vec4{1, 2, 3, hitDist}, Vec4{sanitize, 0, 0, 0}}).first;
+    };
     for (const float sanitize : {0.0f, 1.0f})
     {
         CHECK(packedDistance(0.0f, sanitize) == Vec4{1, 2, 3, 0});
