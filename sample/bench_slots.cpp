@@ -15,7 +15,7 @@ constexpr VkFormat kR16 = VK_FORMAT_R16_SFLOAT;
 constexpr VkFormat kR32 = VK_FORMAT_R32_SFLOAT;
 constexpr VkFormat kA2B10G10R10 = VK_FORMAT_A2B10G10R10_UNORM_PACK32;
 
-constexpr Family kAny = Family::None, kReblur = Family::Reblur;
+constexpr Family kAny = Family::None, kReblur = Family::Reblur, kRelax = Family::Relax;
 constexpr bool kIn = false, kOut = true;
 
 // clang-format off
@@ -34,6 +34,12 @@ constexpr BenchSlot kSlots[] = {
     {ResourceType::IN_DIFF_SH1,                kReblur,           kRgba16,      BENCH_SH1,              false, kIn},
     {ResourceType::IN_SPEC_SH0,                kReblur,           kRgba16,      BENCH_RADIANCE,         true,  kIn},
     {ResourceType::IN_SPEC_SH1,                kReblur,           kRgba16,      BENCH_SH1,              true,  kIn},
+    {ResourceType::IN_DIFF_RADIANCE_HITDIST,   kRelax,            kRgba16,      BENCH_RELAX,            false, kIn},
+    {ResourceType::IN_SPEC_RADIANCE_HITDIST,   kRelax,            kRgba16,      BENCH_RELAX,            true,  kIn},
+    {ResourceType::IN_DIFF_SH0,                kRelax,            kRgba16,      BENCH_RELAX,            false, kIn},
+    {ResourceType::IN_DIFF_SH1,                kRelax,            kRgba16,      BENCH_SH1,              false, kIn},
+    {ResourceType::IN_SPEC_SH0,                kRelax,            kRgba16,      BENCH_RELAX,            true,  kIn},
+    {ResourceType::IN_SPEC_SH1,                kRelax,            kRgba16,      BENCH_SH1,              true,  kIn},
     {ResourceType::OUT_SIGNAL,                 Family::Reference, kRgba32,      0,                      false, kOut},
     {ResourceType::OUT_DIFF_RADIANCE_HITDIST,  kReblur,           kRgba16,      0,                      false, kOut},
     {ResourceType::OUT_SPEC_RADIANCE_HITDIST,  kReblur,           kRgba16,      0,                      true,  kOut},
@@ -44,16 +50,23 @@ constexpr BenchSlot kSlots[] = {
     {ResourceType::OUT_DIFF_SH1,               kReblur,           kRgba16,      0,                      false, kOut},
     {ResourceType::OUT_SPEC_SH0,               kReblur,           kRgba16,      0,                      true,  kOut},
     {ResourceType::OUT_SPEC_SH1,               kReblur,           kRgba16,      0,                      true,  kOut},
+    {ResourceType::OUT_DIFF_RADIANCE_HITDIST,  kRelax,            kRgba16,      0,                      false, kOut},
+    {ResourceType::OUT_SPEC_RADIANCE_HITDIST,  kRelax,            kRgba16,      0,                      true,  kOut},
+    {ResourceType::OUT_DIFF_SH0,               kRelax,            kRgba16,      0,                      false, kOut},
+    {ResourceType::OUT_DIFF_SH1,               kRelax,            kRgba16,      0,                      false, kOut},
+    {ResourceType::OUT_SPEC_SH0,               kRelax,            kRgba16,      0,                      true,  kOut},
+    {ResourceType::OUT_SPEC_SH1,               kRelax,            kRgba16,      0,                      true,  kOut},
 };
 // clang-format on
 
-const BenchSlot* findSlot(ResourceType type, Family family)
+} // namespace
+
+const BenchSlot* findBenchSlot(ResourceType type, Family family)
 {
     for (const BenchSlot& slot : kSlots)
         if (slot.type == type && (slot.family == kAny || slot.family == family)) return &slot;
     return nullptr;
 }
-} // namespace
 
 std::vector<BenchSlot> requiredSlots(const nrd::Instance& instance, nrd::Identifier identifier,
                                      const ReplayDenoiser& denoiser)
@@ -66,7 +79,7 @@ std::vector<BenchSlot> requiredSlots(const nrd::Instance& instance, nrd::Identif
     for (uint32_t i = 0; i < count; i++)
     {
         if (!requirements[i].isRequired) continue;
-        const BenchSlot* slot = findSlot(requirements[i].type, denoiser.family);
+        const BenchSlot* slot = findBenchSlot(requirements[i].type, denoiser.family);
         if (!slot)
             throw engine::Error(std::string("nrd-bench cannot generate ") + nrd::toString(requirements[i].type) +
                                 ", which " + denoiser.name + " needs under these settings");

@@ -19,6 +19,9 @@ struct BenchSlot
     bool isOutput;
 };
 
+// Null when the benchmark cannot generate the slot for that family.
+const BenchSlot* findBenchSlot(nrd::ResourceType type, Family family);
+
 // The slots the denoiser reads and writes under the given settings, inputs first. Throws engine::Error when one of them
 // is not in the table.
 std::vector<BenchSlot> requiredSlots(const nrd::Instance& instance, nrd::Identifier identifier,

@@ -53,6 +53,11 @@ glm::vec2 occlusionWeights(const SampleDenoiser& denoiser)
     return lobes / std::max(lobes.x + lobes.y, 1.0f);
 }
 
+nrd::CheckerboardMode checkerboardModeOf(const DenoiseDesc& desc)
+{
+    return desc.denoiser.family == Family::Reblur ? desc.settings.reblur.checkerboardMode : nrd::CheckerboardMode::OFF;
+}
+
 template <class T> std::span<const std::byte> bytesOf(const T& value) { return std::as_bytes(std::span(&value, 1)); }
 } // namespace
 
@@ -97,9 +102,9 @@ void DenoiseStage::createImages()
     {
         const LobeFormat format = m_desc.denoiser.format(lobe);
         if (format == LobeFormat::None) continue;
-        m_lobes[static_cast<size_t>(lobe)].emplace(m_device, LobeSignalDesc{lobe, format, m_desc.width, m_desc.height,
-                                                                            hitDistanceParametersOf(m_desc.settings),
-                                                                            m_desc.settings.reblur.checkerboardMode});
+        m_lobes[static_cast<size_t>(lobe)].emplace(
+            m_device, LobeSignalDesc{lobe, format, m_desc.denoiser.family, m_desc.width, m_desc.height,
+                                     hitDistanceParametersOf(m_desc.settings), checkerboardModeOf(m_desc)});
     }
 }
 
@@ -133,10 +138,10 @@ void DenoiseStage::applyFamilySettings()
         return check(m_integration.SetDenoiserSettings(kIdentifier, m_desc.settings.reblur), kAction);
     case Family::Reference:
         return check(m_integration.SetDenoiserSettings(kIdentifier, m_desc.settings.reference), kAction);
+    case Family::Relax: // its defaults
     case Family::None:
-    case Family::Relax:
-    case Family::Sigma:
-        return; // not in the table of this program
+    case Family::Sigma: // not in the table of this program
+        return;
     }
 }
 
@@ -154,7 +159,8 @@ double DenoiseStage::memoryMiB() const
 
 void DenoiseStage::record(VkCommandBuffer cmd, FrameImages& images, const DenoiseFrame& frame)
 {
-    if (m_desc.denoiser.family == Family::Reblur)
+    const bool hasLobes = m_lobes[0] || m_lobes[1];
+    if (hasLobes)
     {
         packGuides(cmd, images);
         for (auto& lobe : m_lobes)

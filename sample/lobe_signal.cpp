@@ -11,6 +11,7 @@ using nrd::ResourceType;
 
 struct SlotRow
 {
+    Family family;
     LobeFormat format;
     Lobe lobe;
     ResourceType input;
@@ -21,23 +22,40 @@ struct SlotRow
 
 constexpr VkFormat kRgba16 = VK_FORMAT_R16G16B16A16_SFLOAT;
 constexpr VkFormat kR16 = VK_FORMAT_R16_SFLOAT;
+constexpr Family kReblur = Family::Reblur, kRelax = Family::Relax;
 
 // clang-format off
 constexpr SlotRow kSlots[] = {
-    {LobeFormat::Radiance, Lobe::Diffuse,
+    {kReblur, LobeFormat::Radiance, Lobe::Diffuse,
      ResourceType::IN_DIFF_RADIANCE_HITDIST, ResourceType::OUT_DIFF_RADIANCE_HITDIST, kRgba16, LOBE_RADIANCE},
-    {LobeFormat::Radiance, Lobe::Specular,
+    {kReblur, LobeFormat::Radiance, Lobe::Specular,
      ResourceType::IN_SPEC_RADIANCE_HITDIST, ResourceType::OUT_SPEC_RADIANCE_HITDIST, kRgba16, LOBE_RADIANCE},
-    {LobeFormat::Sh, Lobe::Diffuse,  ResourceType::IN_DIFF_SH0, ResourceType::OUT_DIFF_SH0, kRgba16, LOBE_SH0},
-    {LobeFormat::Sh, Lobe::Diffuse,  ResourceType::IN_DIFF_SH1, ResourceType::OUT_DIFF_SH1, kRgba16, LOBE_SH1},
-    {LobeFormat::Sh, Lobe::Specular, ResourceType::IN_SPEC_SH0, ResourceType::OUT_SPEC_SH0, kRgba16, LOBE_SH0},
-    {LobeFormat::Sh, Lobe::Specular, ResourceType::IN_SPEC_SH1, ResourceType::OUT_SPEC_SH1, kRgba16, LOBE_SH1},
-    {LobeFormat::HitDistance, Lobe::Diffuse,
+    {kReblur, LobeFormat::Sh, Lobe::Diffuse,
+     ResourceType::IN_DIFF_SH0, ResourceType::OUT_DIFF_SH0, kRgba16, LOBE_SH0},
+    {kReblur, LobeFormat::Sh, Lobe::Diffuse,
+     ResourceType::IN_DIFF_SH1, ResourceType::OUT_DIFF_SH1, kRgba16, LOBE_SH1},
+    {kReblur, LobeFormat::Sh, Lobe::Specular,
+     ResourceType::IN_SPEC_SH0, ResourceType::OUT_SPEC_SH0, kRgba16, LOBE_SH0},
+    {kReblur, LobeFormat::Sh, Lobe::Specular,
+     ResourceType::IN_SPEC_SH1, ResourceType::OUT_SPEC_SH1, kRgba16, LOBE_SH1},
+    {kReblur, LobeFormat::HitDistance, Lobe::Diffuse,
      ResourceType::IN_DIFF_HITDIST, ResourceType::OUT_DIFF_HITDIST, kR16, LOBE_HIT_DISTANCE},
-    {LobeFormat::HitDistance, Lobe::Specular,
+    {kReblur, LobeFormat::HitDistance, Lobe::Specular,
      ResourceType::IN_SPEC_HITDIST, ResourceType::OUT_SPEC_HITDIST, kR16, LOBE_HIT_DISTANCE},
-    {LobeFormat::Direction, Lobe::Diffuse,
+    {kReblur, LobeFormat::Direction, Lobe::Diffuse,
      ResourceType::IN_DIFF_DIRECTION_HITDIST, ResourceType::OUT_DIFF_DIRECTION_HITDIST, kRgba16, LOBE_DIRECTION},
+    {kRelax, LobeFormat::Radiance, Lobe::Diffuse,
+     ResourceType::IN_DIFF_RADIANCE_HITDIST, ResourceType::OUT_DIFF_RADIANCE_HITDIST, kRgba16, LOBE_RELAX},
+    {kRelax, LobeFormat::Radiance, Lobe::Specular,
+     ResourceType::IN_SPEC_RADIANCE_HITDIST, ResourceType::OUT_SPEC_RADIANCE_HITDIST, kRgba16, LOBE_RELAX},
+    {kRelax, LobeFormat::Sh, Lobe::Diffuse,
+     ResourceType::IN_DIFF_SH0, ResourceType::OUT_DIFF_SH0, kRgba16, LOBE_RELAX_SH0},
+    {kRelax, LobeFormat::Sh, Lobe::Diffuse,
+     ResourceType::IN_DIFF_SH1, ResourceType::OUT_DIFF_SH1, kRgba16, LOBE_RELAX_SH1},
+    {kRelax, LobeFormat::Sh, Lobe::Specular,
+     ResourceType::IN_SPEC_SH0, ResourceType::OUT_SPEC_SH0, kRgba16, LOBE_RELAX_SH0},
+    {kRelax, LobeFormat::Sh, Lobe::Specular,
+     ResourceType::IN_SPEC_SH1, ResourceType::OUT_SPEC_SH1, kRgba16, LOBE_RELAX_SH1},
 };
 // clang-format on
 
@@ -86,7 +104,7 @@ LobeSignal::LobeSignal(const engine::Device& device, const LobeSignalDesc& desc)
     };
     for (const SlotRow& row : kSlots)
     {
-        if (row.format != desc.format || row.lobe != desc.lobe) continue;
+        if (row.family != desc.family || row.format != desc.format || row.lobe != desc.lobe) continue;
         m_inputs.push_back({row.input, row.mode, create(row.input, row.imageFormat)});
         m_outputs.push_back({row.output, row.mode, create(row.output, row.imageFormat)});
     }

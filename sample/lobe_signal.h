@@ -16,6 +16,7 @@ struct LobeSignalDesc
 {
     Lobe lobe = Lobe::Diffuse;
     LobeFormat format = LobeFormat::Radiance; // not None
+    Family family = Family::Reblur;           // of the denoiser, which packs so; Reblur or Relax
     uint32_t width = 0;                       // pixels, as the tracer's
     uint32_t height = 0;
     glm::vec3 hitDistanceParameters = glm::vec3(3.0f, 0.1f, 20.0f); // as the tracer's and the denoiser's
@@ -34,7 +35,8 @@ public:
 
     /// Input and output slots.
     std::vector<SlotImage> slots();
-    engine::Image& values() { return m_values; } // RGBA32F: linear radiance, normalised hit distance; sky: 0, 0, 0, 1
+    /// RGBA32F: linear radiance, normalised hit distance or history length; sky: 0, 0, 0, 1.
+    engine::Image& values() { return m_values; }
 
 private:
     struct Slot

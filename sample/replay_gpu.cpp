@@ -26,15 +26,15 @@ uint32_t unpackMode(ShResolve resolve)
     switch (resolve)
     {
     case ShResolve::SphericalGaussians:
-        return REPLAY_UNPACK_REBLUR_RESOLVE_SG;
+        return REPLAY_UNPACK_RESOLVE_SG;
     case ShResolve::Restore:
-        return REPLAY_UNPACK_REBLUR_RESTORE;
+        return REPLAY_UNPACK_RESTORE;
     case ShResolve::SphericalHarmonics:
-        return REPLAY_UNPACK_REBLUR_RESOLVE_SH;
+        return REPLAY_UNPACK_RESOLVE_SH;
     case ShResolve::None:
         break;
     }
-    return REPLAY_UNPACK_REBLUR_EXTRACT;
+    return REPLAY_UNPACK_EXTRACT;
 }
 
 // Colours are in .xyz, with alpha in .xyzw, scalars in .w of four floats per pixel; what the mask leaves out is `sky`.
@@ -168,7 +168,7 @@ void ReplayGpu::createReadings(Slot& slot)
     if (!row.radiance && !row.scalar) return;
     const bool isResolved = row.sh1 && m_desc.resolve != ShResolve::None;
     createReading(slot, row.sh1 ? unpackMode(m_desc.resolve) : row.mode, false);
-    if (isResolved) createReading(slot, REPLAY_UNPACK_REBLUR_EXTRACT, true);
+    if (isResolved) createReading(slot, REPLAY_UNPACK_EXTRACT, true);
 }
 
 void ReplayGpu::createReading(Slot& slot, uint32_t mode, bool isExtracted)

@@ -111,6 +111,52 @@ std::vector<SettingField> reblurFields(nrd::ReblurSettings& s)
     };
 }
 
+std::vector<SettingField> relaxFields(nrd::RelaxSettings& s)
+{
+    return {
+        field("antilagSettings.accelerationAmount", s.antilagSettings.accelerationAmount),
+        field("antilagSettings.spatialSigmaScale", s.antilagSettings.spatialSigmaScale),
+        field("antilagSettings.temporalSigmaScale", s.antilagSettings.temporalSigmaScale),
+        field("antilagSettings.resetAmount", s.antilagSettings.resetAmount),
+        field("diffuseMaxAccumulatedFrameNum", s.diffuseMaxAccumulatedFrameNum),
+        field("specularMaxAccumulatedFrameNum", s.specularMaxAccumulatedFrameNum),
+        field("diffuseMaxFastAccumulatedFrameNum", s.diffuseMaxFastAccumulatedFrameNum),
+        field("specularMaxFastAccumulatedFrameNum", s.specularMaxFastAccumulatedFrameNum),
+        field("historyFixFrameNum", s.historyFixFrameNum),
+        field("historyFixBasePixelStride", s.historyFixBasePixelStride),
+        field("historyFixAlternatePixelStride", s.historyFixAlternatePixelStride),
+        field("historyFixEdgeStoppingNormalPower", s.historyFixEdgeStoppingNormalPower),
+        field("fastHistoryClampingSigmaScale", s.fastHistoryClampingSigmaScale),
+        field("prePassMode", s.prePassMode),
+        field("diffusePrepassBlurRadius", s.diffusePrepassBlurRadius),
+        field("specularPrepassBlurRadius", s.specularPrepassBlurRadius),
+        field("minHitDistanceWeight", s.minHitDistanceWeight),
+        field("atrousIterationNum", s.atrousIterationNum),
+        field("spatialVarianceEstimationHistoryThreshold", s.spatialVarianceEstimationHistoryThreshold),
+        field("diffusePhiLuminance", s.diffusePhiLuminance),
+        field("specularPhiLuminance", s.specularPhiLuminance),
+        field("diffuseMinLuminanceWeight", s.diffuseMinLuminanceWeight),
+        field("specularMinLuminanceWeight", s.specularMinLuminanceWeight),
+        field("specularVarianceBoost", s.specularVarianceBoost),
+        field("depthThreshold", s.depthThreshold),
+        field("lobeAngleFraction", s.lobeAngleFraction),
+        field("specularLobeAngleSlack", s.specularLobeAngleSlack),
+        field("roughnessFraction", s.roughnessFraction),
+        field("roughnessEdgeStoppingRelaxation", s.roughnessEdgeStoppingRelaxation),
+        field("luminanceEdgeStoppingRelaxation", s.luminanceEdgeStoppingRelaxation),
+        field("normalEdgeStoppingRelaxation", s.normalEdgeStoppingRelaxation),
+        field("confidenceDrivenRelaxationMultiplier", s.confidenceDrivenRelaxationMultiplier),
+        field("confidenceDrivenLuminanceEdgeStoppingRelaxation", s.confidenceDrivenLuminanceEdgeStoppingRelaxation),
+        field("confidenceDrivenNormalEdgeStoppingRelaxation", s.confidenceDrivenNormalEdgeStoppingRelaxation),
+        field("minMaterialForDiffuse", s.minMaterialForDiffuse),
+        field("minMaterialForSpecular", s.minMaterialForSpecular),
+        field("checkerboardMode", s.checkerboardMode),
+        field("hitDistanceReconstructionMode", s.hitDistanceReconstructionMode),
+        field("enableAntiFirefly", s.enableAntiFirefly),
+        field("enableRoughnessEdgeStopping", s.enableRoughnessEdgeStopping),
+    };
+}
+
 std::vector<SettingField> referenceFields(nrd::ReferenceSettings& s)
 {
     return {field("maxAccumulatedFrameNum", s.maxAccumulatedFrameNum)};
@@ -197,11 +243,13 @@ std::vector<SettingField> settingFields(ReplaySettings& settings, Family family)
     case Family::Reblur:
         own = reblurFields(settings.reblur);
         break;
+    case Family::Relax:
+        own = relaxFields(settings.relax);
+        break;
     case Family::Reference:
         own = referenceFields(settings.reference);
         break;
     case Family::None:
-    case Family::Relax:
     case Family::Sigma:
         break; // the library has no settings for them yet
     }

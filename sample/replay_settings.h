@@ -23,6 +23,7 @@ struct ReplaySettings
 {
     nrd::CommonSettings common;
     nrd::ReblurSettings reblur;
+    nrd::RelaxSettings relax;
     nrd::ReferenceSettings reference;
 };
 

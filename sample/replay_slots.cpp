@@ -20,9 +20,9 @@ constexpr SlotRow in(ResourceType type, Family family, VkFormat format, std::opt
     return {type, family, format, layer, {}, mode, layer == Layer::Diffuse, false, {}, {}, {}};
 }
 
-constexpr SlotRow directed(ResourceType type, Layer layer, uint32_t mode)
+constexpr SlotRow directed(ResourceType type, Family family, Layer layer, uint32_t mode)
 {
-    SlotRow row = in(type, Family::Reblur, kRgba16, layer, mode);
+    SlotRow row = in(type, family, kRgba16, layer, mode);
     row.direction = row.isDiffuse ? Layer::DiffuseDirection : Layer::SpecularDirection;
     return row;
 }
@@ -32,7 +32,7 @@ constexpr SlotRow out(ResourceType type, Family family, VkFormat format, uint32_
     return {type, family, format, {}, {}, mode, false, true, {}, {}, {}};
 }
 
-constexpr SlotRow with(SlotRow row, std::optional<Signal> radiance, std::optional<Signal> scalar)
+constexpr SlotRow with(SlotRow row, std::optional<Signal> radiance, std::optional<Signal> scalar = {})
 {
     row.radiance = radiance;
     row.scalar = scalar;
@@ -40,14 +40,13 @@ constexpr SlotRow with(SlotRow row, std::optional<Signal> radiance, std::optiona
     return row;
 }
 
-constexpr SlotRow outSh(ResourceType sh0, ResourceType sh1, Signal radiance, Signal scalar)
+constexpr SlotRow withSh1(SlotRow row, ResourceType sh1)
 {
-    SlotRow row = with(out(sh0, Family::Reblur, kRgba16, REPLAY_UNPACK_REBLUR_RESOLVE_SG), radiance, scalar);
     row.sh1 = sh1;
     return row;
 }
 
-constexpr Family kReblur = Family::Reblur;
+constexpr Family kReblur = Family::Reblur, kRelax = Family::Relax;
 
 // clang-format off
 constexpr SlotRow kSlots[] = {
@@ -61,20 +60,37 @@ constexpr SlotRow kSlots[] = {
     in(ResourceType::IN_SPEC_RADIANCE_HITDIST, kReblur, kRgba16, Layer::Specular, REPLAY_PACK_REBLUR_RADIANCE),
     in(ResourceType::IN_DIFF_HITDIST,          kReblur, kR16,    Layer::Diffuse,  REPLAY_PACK_REBLUR_HITDIST),
     in(ResourceType::IN_SPEC_HITDIST,          kReblur, kR16,    Layer::Specular, REPLAY_PACK_REBLUR_HITDIST),
-    directed(ResourceType::IN_DIFF_DIRECTION_HITDIST, Layer::Diffuse,  REPLAY_PACK_REBLUR_DIRECTION_HITDIST),
-    directed(ResourceType::IN_DIFF_SH0,               Layer::Diffuse,  REPLAY_PACK_REBLUR_SH0),
-    directed(ResourceType::IN_DIFF_SH1,               Layer::Diffuse,  REPLAY_PACK_REBLUR_SH1),
-    directed(ResourceType::IN_SPEC_SH0,               Layer::Specular, REPLAY_PACK_REBLUR_SH0),
-    directed(ResourceType::IN_SPEC_SH1,               Layer::Specular, REPLAY_PACK_REBLUR_SH1),
+    directed(ResourceType::IN_DIFF_DIRECTION_HITDIST, kReblur, Layer::Diffuse, REPLAY_PACK_REBLUR_DIRECTION_HITDIST),
+    directed(ResourceType::IN_DIFF_SH0,        kReblur, Layer::Diffuse,  REPLAY_PACK_REBLUR_SH0),
+    directed(ResourceType::IN_DIFF_SH1,        kReblur, Layer::Diffuse,  REPLAY_PACK_REBLUR_SH1),
+    directed(ResourceType::IN_SPEC_SH0,        kReblur, Layer::Specular, REPLAY_PACK_REBLUR_SH0),
+    directed(ResourceType::IN_SPEC_SH1,        kReblur, Layer::Specular, REPLAY_PACK_REBLUR_SH1),
+    in(ResourceType::IN_DIFF_RADIANCE_HITDIST, kRelax, kRgba16, Layer::Diffuse,  REPLAY_PACK_RELAX_RADIANCE),
+    in(ResourceType::IN_SPEC_RADIANCE_HITDIST, kRelax, kRgba16, Layer::Specular, REPLAY_PACK_RELAX_RADIANCE),
+    directed(ResourceType::IN_DIFF_SH0,        kRelax,  Layer::Diffuse,  REPLAY_PACK_RELAX_SH0),
+    directed(ResourceType::IN_DIFF_SH1,        kRelax,  Layer::Diffuse,  REPLAY_PACK_RELAX_SH1),
+    directed(ResourceType::IN_SPEC_SH0,        kRelax,  Layer::Specular, REPLAY_PACK_RELAX_SH0),
+    directed(ResourceType::IN_SPEC_SH1,        kRelax,  Layer::Specular, REPLAY_PACK_RELAX_SH1),
     in(ResourceType::IN_SIGNAL, Family::Reference, kRgba32, Layer::Diffuse, REPLAY_PACK_COPY),
     with(out(ResourceType::OUT_DIFF_RADIANCE_HITDIST, kReblur, kRgba16, REPLAY_UNPACK_REBLUR_RADIANCE),
          Signal::Diffuse, Signal::NormHitDist),
     with(out(ResourceType::OUT_SPEC_RADIANCE_HITDIST, kReblur, kRgba16, REPLAY_UNPACK_REBLUR_RADIANCE),
          Signal::Specular, Signal::SpecularNormHitDist),
-    outSh(ResourceType::OUT_DIFF_SH0, ResourceType::OUT_DIFF_SH1, Signal::Diffuse, Signal::NormHitDist),
+    withSh1(with(out(ResourceType::OUT_DIFF_SH0, kReblur, kRgba16, REPLAY_UNPACK_RESOLVE_SG),
+                 Signal::Diffuse, Signal::NormHitDist), ResourceType::OUT_DIFF_SH1),
     out(ResourceType::OUT_DIFF_SH1, kReblur, kRgba16, REPLAY_UNPACK_COPY),
-    outSh(ResourceType::OUT_SPEC_SH0, ResourceType::OUT_SPEC_SH1, Signal::Specular, Signal::SpecularNormHitDist),
+    withSh1(with(out(ResourceType::OUT_SPEC_SH0, kReblur, kRgba16, REPLAY_UNPACK_RESOLVE_SG),
+                 Signal::Specular, Signal::SpecularNormHitDist), ResourceType::OUT_SPEC_SH1),
     out(ResourceType::OUT_SPEC_SH1, kReblur, kRgba16, REPLAY_UNPACK_COPY),
+    // RELAX returns no hit distance.
+    with(out(ResourceType::OUT_DIFF_RADIANCE_HITDIST, kRelax, kRgba16, REPLAY_UNPACK_RELAX_RADIANCE), Signal::Diffuse),
+    with(out(ResourceType::OUT_SPEC_RADIANCE_HITDIST, kRelax, kRgba16, REPLAY_UNPACK_RELAX_RADIANCE), Signal::Specular),
+    withSh1(with(out(ResourceType::OUT_DIFF_SH0, kRelax, kRgba16, REPLAY_UNPACK_RESOLVE_SG), Signal::Diffuse),
+            ResourceType::OUT_DIFF_SH1),
+    out(ResourceType::OUT_DIFF_SH1, kRelax, kRgba16, REPLAY_UNPACK_COPY),
+    withSh1(with(out(ResourceType::OUT_SPEC_SH0, kRelax, kRgba16, REPLAY_UNPACK_RESOLVE_SG), Signal::Specular),
+            ResourceType::OUT_SPEC_SH1),
+    out(ResourceType::OUT_SPEC_SH1, kRelax, kRgba16, REPLAY_UNPACK_COPY),
     with(out(ResourceType::OUT_DIFF_HITDIST, kReblur, kR16, REPLAY_UNPACK_REBLUR_HITDIST), {}, Signal::NormHitDist),
     with(out(ResourceType::OUT_SPEC_HITDIST, kReblur, kR16, REPLAY_UNPACK_REBLUR_HITDIST), {},
          Signal::SpecularNormHitDist),

@@ -1,7 +1,10 @@
 #include "sample_denoisers.h"
 
+#include <nrd/nrd.h>
+
 #include <algorithm>
 #include <cctype>
+#include <vector>
 
 namespace sample
 {
@@ -14,11 +17,16 @@ SampleDenoiser reblur(Denoiser denoiser, LobeFormat diffuse, LobeFormat specular
     return {nrd::toString(denoiser), denoiser, Family::Reblur, {diffuse, specular}};
 }
 
+SampleDenoiser relax(Denoiser denoiser, LobeFormat diffuse, LobeFormat specular)
+{
+    return {nrd::toString(denoiser), denoiser, Family::Relax, {diffuse, specular}};
+}
+
 // clang-format off
-const std::array<SampleDenoiser, 12>& table()
+std::vector<SampleDenoiser> makeTable()
 {
     using enum LobeFormat;
-    static const std::array<SampleDenoiser, 12> rows = {
+    return {
         reblur(Denoiser::REBLUR_DIFFUSE,                       Radiance,    None),
         reblur(Denoiser::REBLUR_DIFFUSE_OCCLUSION,             HitDistance, None),
         reblur(Denoiser::REBLUR_DIFFUSE_SH,                    Sh,          None),
@@ -29,11 +37,23 @@ const std::array<SampleDenoiser, 12>& table()
         reblur(Denoiser::REBLUR_DIFFUSE_SPECULAR_OCCLUSION,    HitDistance, HitDistance),
         reblur(Denoiser::REBLUR_DIFFUSE_SPECULAR_SH,           Sh,          Sh),
         reblur(Denoiser::REBLUR_DIFFUSE_DIRECTIONAL_OCCLUSION, Direction,   None),
+        relax(Denoiser::RELAX_DIFFUSE,                         Radiance,    None),
+        relax(Denoiser::RELAX_DIFFUSE_SH,                      Sh,          None),
+        relax(Denoiser::RELAX_SPECULAR,                        None,        Radiance),
+        relax(Denoiser::RELAX_SPECULAR_SH,                     None,        Sh),
+        relax(Denoiser::RELAX_DIFFUSE_SPECULAR,                Radiance,    Radiance),
+        relax(Denoiser::RELAX_DIFFUSE_SPECULAR_SH,             Sh,          Sh),
         SampleDenoiser{nrd::toString(Denoiser::REFERENCE), Denoiser::REFERENCE, Family::Reference, {None, None}},
         SampleDenoiser{"NONE", Denoiser::MAX_NUM, Family::None, {None, None}}};
-    return rows;
 }
 // clang-format on
+
+bool isOffered(const SampleDenoiser& row)
+{
+    const nrd::LibraryDesc& library = nrd::GetLibraryDesc();
+    const Denoiser* last = library.supportedDenoisers + library.supportedDenoisersNum;
+    return row.family == Family::None || std::find(library.supportedDenoisers, last, row.denoiser) != last;
+}
 
 bool isEqual(std::string_view a, std::string_view b)
 {
@@ -42,11 +62,26 @@ bool isEqual(std::string_view a, std::string_view b)
 }
 } // namespace
 
-std::span<const SampleDenoiser> sampleDenoisers() { return table(); }
+std::span<const SampleDenoiser> sampleDenoiserTable()
+{
+    static const std::vector<SampleDenoiser> rows = makeTable();
+    return rows;
+}
+
+std::span<const SampleDenoiser> sampleDenoisers()
+{
+    static const std::vector<SampleDenoiser> offered = []
+    {
+        std::vector<SampleDenoiser> rows;
+        std::ranges::copy_if(sampleDenoiserTable(), std::back_inserter(rows), isOffered);
+        return rows;
+    }();
+    return offered;
+}
 
 const SampleDenoiser* findSampleDenoiser(std::string_view name)
 {
-    for (const SampleDenoiser& row : table())
+    for (const SampleDenoiser& row : sampleDenoisers())
         if (isEqual(row.name, name)) return &row;
     return nullptr;
 }

@@ -37,8 +37,12 @@ struct SampleDenoiser
     bool composesLight() const { return hasRadiance(Lobe::Diffuse) || hasRadiance(Lobe::Specular); }
 };
 
+/// All that the sample can feed.
+std::span<const SampleDenoiser> sampleDenoiserTable();
+
+/// Those of them that this build of the library has.
 std::span<const SampleDenoiser> sampleDenoisers();
 
-/// Capitals or not. Null when the sample has no denoiser of that name.
+/// One of sampleDenoisers(). Capitals or not. Null when none has that name.
 const SampleDenoiser* findSampleDenoiser(std::string_view name);
 } // namespace sample

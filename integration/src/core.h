@@ -46,8 +46,9 @@ private:
     struct DenoiserState
     {
         DenoiserDesc desc;
-        std::variant<std::monostate, ReblurSettings, ReferenceSettings> settings; // as set last, for a new instance
-        uint64_t lastFrame = 0;                                                   // that it was denoised in
+        // As set last, for a new instance.
+        std::variant<std::monostate, ReblurSettings, RelaxSettings, ReferenceSettings> settings;
+        uint64_t lastFrame = 0;       // that it was denoised in
         bool isHistoryBroken = false; // its last request was planned, but not recorded
     };
     // Of a failed creation there is no instance to ask; an instance keeps its sink for life.

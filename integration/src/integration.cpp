@@ -146,6 +146,11 @@ Result NrdIntegration::SetDenoiserSettings(Identifier identifier, const ReblurSe
     return Impl::withCore(m_impl.get(), [&](Core& core) { core.setDenoiserSettings(identifier, settings); });
 }
 
+Result NrdIntegration::SetDenoiserSettings(Identifier identifier, const RelaxSettings& settings)
+{
+    return Impl::withCore(m_impl.get(), [&](Core& core) { core.setDenoiserSettings(identifier, settings); });
+}
+
 Result NrdIntegration::SetDenoiserSettings(Identifier identifier, const ReferenceSettings& settings)
 {
     return Impl::withCore(m_impl.get(), [&](Core& core) { core.setDenoiserSettings(identifier, settings); });

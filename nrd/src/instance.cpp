@@ -115,6 +115,7 @@ template <class Settings> Result Instance::setDenoiserSettings(Identifier identi
     return Result::SUCCESS;
 }
 template Result Instance::setDenoiserSettings(Identifier, const ReblurSettings&);
+template Result Instance::setDenoiserSettings(Identifier, const RelaxSettings&);
 template Result Instance::setDenoiserSettings(Identifier, const ReferenceSettings&);
 
 Error Instance::findRequestError(const Identifier* identifiers, uint32_t num)

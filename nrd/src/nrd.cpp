@@ -79,6 +79,11 @@ Result SetDenoiserSettings(Instance& instance, Identifier identifier, const Rebl
     return instance.setDenoiserSettings(identifier, settings);
 }
 
+Result SetDenoiserSettings(Instance& instance, Identifier identifier, const RelaxSettings& settings)
+{
+    return instance.setDenoiserSettings(identifier, settings);
+}
+
 Result SetDenoiserSettings(Instance& instance, Identifier identifier, const ReferenceSettings& settings)
 {
     return instance.setDenoiserSettings(identifier, settings);

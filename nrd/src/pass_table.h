@@ -30,7 +30,7 @@ enum Lobes : uint8_t
 };
 
 // One alternative per family; the family's default is what a new denoiser starts with.
-using FamilySettings = std::variant<ReblurSettings, ReferenceSettings>;
+using FamilySettings = std::variant<ReblurSettings, RelaxSettings, ReferenceSettings>;
 
 // What a signal consists of. One value for a variant, several for what a row applies to.
 enum Kinds : uint8_t
@@ -225,6 +225,7 @@ struct PassRow
     FixedList<SwitchRow, 5> switches = {}; // each doubles the number of pipelines
     uint16_t gridFactor = 1;               // the grid covers ceil(rect / gridFactor)
     Having having = {};
+    uint8_t step = 0; // SPEC_STEP, for passes that run one shader several times
 };
 
 struct FrameState;

@@ -6,8 +6,8 @@ namespace nrd
 {
 uint32_t PipelineTable::constantNum(const Block& block)
 {
-    constexpr uint32_t kEncodingNum = 2;
-    return block.hasConstants ? kEncodingNum + static_cast<uint32_t>(block.switches.size()) : 0;
+    constexpr uint32_t kFixedNum = 3; // the encodings and the step
+    return block.hasConstants ? kFixedNum + static_cast<uint32_t>(block.switches.size()) : 0;
 }
 
 uint16_t PipelineTable::add(const Block& block)
@@ -15,8 +15,9 @@ uint16_t PipelineTable::add(const Block& block)
     const auto isSameSwitch = [](const SwitchRow& a, const SwitchRow& b) { return a.constantId == b.constantId; };
     for (const Block& other : m_blocks)
     {
-        if (other.shader == block.shader && std::equal(other.switches.begin(), other.switches.end(),
-                                                       block.switches.begin(), block.switches.end(), isSameSwitch))
+        if (other.shader == block.shader && other.step == block.step &&
+            std::equal(other.switches.begin(), other.switches.end(), block.switches.begin(), block.switches.end(),
+                       isSameSwitch))
         {
             return static_cast<uint16_t>(other.firstPipeline);
         }
@@ -34,6 +35,7 @@ uint16_t PipelineTable::add(const Pass& pass)
     block.textureNum = static_cast<uint32_t>(pass.reads.size());
     block.storageTextureNum = static_cast<uint32_t>(pass.writes.size());
     block.switches = pass.switches;
+    block.step = pass.row->step;
     return add(block);
 }
 
@@ -63,6 +65,7 @@ void PipelineTable::finish(std::pmr::vector<PipelineDesc>& pipelines,
             {
                 constants.push_back({SPEC_NORMAL_ENCODING, static_cast<uint32_t>(m_normalEncoding)});
                 constants.push_back({SPEC_ROUGHNESS_ENCODING, static_cast<uint32_t>(m_roughnessEncoding)});
+                constants.push_back({SPEC_STEP, block.step});
             }
             for (uint32_t i = 0; i < block.switches.size(); i++)
                 constants.push_back({block.switches[i].constantId, (bits >> i) & 1u});

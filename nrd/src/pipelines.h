@@ -30,6 +30,7 @@ private:
         uint32_t textureNum = 0;
         uint32_t storageTextureNum = 0;
         bool hasConstants = true;
+        uint8_t step = 0;
         FixedList<SwitchRow, 5> switches;
         uint32_t firstPipeline = 0;
     };

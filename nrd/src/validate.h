@@ -17,5 +17,6 @@ struct Error
 Error findError(const InstanceCreationDesc& desc);
 Error findError(const CommonSettings& settings, NormalEncoding normalEncoding);
 Error findError(const ReblurSettings& settings);
+Error findError(const RelaxSettings& settings);
 Error findError(const ReferenceSettings& settings);
 } // namespace nrd

@@ -10,7 +10,7 @@ using vec4 = std::array<float, 4>;
 using uvec4 = std::array<uint32_t, 4>;
 #endif
 
-// What one dispatch writes into its image; the last four are of one lobe.
+// What one dispatch writes into its image; from BENCH_RADIANCE on they are of one lobe.
 #define BENCH_MOTION 0
 #define BENCH_NORMAL_ROUGHNESS 1
 #define BENCH_VIEWZ 2
@@ -19,6 +19,7 @@ using uvec4 = std::array<uint32_t, 4>;
 #define BENCH_HITDIST 5   // normalised hit distance
 #define BENCH_DIRECTION 6 // direction of the ray times normalised hit distance, and that
 #define BENCH_SH1 7       // direction of the ray times luma
+#define BENCH_RELAX 8     // linear radiance and hit distance in metres; also the first of an SH pair
 
 struct BenchConstants
 {

@@ -92,6 +92,7 @@ LobeSample sampleLobe(Hit hit, vec3 p, vec3 view, uint seed)
 
 vec4 packLobe(LobeSample lobe, float viewZ, float roughness)
 {
+    if (g.target.x == BENCH_RELAX) return RELAX_FrontEnd_PackRadianceAndHitDist(lobe.radiance, lobe.hitDist, true);
     float lobeRoughness = g.target.y != 0u ? roughness : 1.0;
     float normHitDist =
         REBLUR_FrontEnd_GetNormHitDist(lobe.hitDist, viewZ, g.hitDistanceParameters.xyz, lobeRoughness);

@@ -23,10 +23,19 @@ layout(push_constant) uniform Constants
     uint frameIndex;
 };
 
+vec4 packRelax(vec4 signal, vec3 direction)
+{
+    if (mode == LOBE_RELAX) return RELAX_FrontEnd_PackRadianceAndHitDist(signal.xyz, signal.w, true);
+    vec4 sh1;
+    vec4 sh0 = RELAX_FrontEnd_PackSh(signal.xyz, signal.w, direction, sh1, true);
+    return mode == LOBE_RELAX_SH0 ? sh0 : sh1;
+}
+
 vec4 pack(ivec2 pixel)
 {
     vec4 signal = texelFetch(gIn_Signal, pixel, 0);
     vec3 direction = texelFetch(gIn_Direction, pixel, 0).xyz;
+    if (mode >= LOBE_RELAX) return packRelax(signal, direction);
     float roughness = isDiffuse != 0u ? 1.0 : texelFetch(gIn_NormalRoughness, pixel, 0).w;
     float viewZ = texelFetch(gIn_ViewZ, pixel, 0).x;
     float normHitDist = REBLUR_FrontEnd_GetNormHitDist(signal.w, viewZ, hitDistanceParameters.xyz, roughness);

@@ -31,9 +31,18 @@ float getNormHitDist(float hitDist, float viewZ, float roughness)
     return REBLUR_FrontEnd_GetNormHitDist(hitDist, viewZ, g.hitDistanceParameters.xyz, roughness);
 }
 
+vec4 packRelax(ivec2 pixel, vec4 lobe)
+{
+    if (g.mode == REPLAY_PACK_RELAX_RADIANCE) return RELAX_FrontEnd_PackRadianceAndHitDist(lobe.xyz, lobe.w, false);
+    vec4 sh1;
+    vec4 sh0 = RELAX_FrontEnd_PackSh(lobe.xyz, lobe.w, texelFetch(gIn_Direction, pixel, 0).xyz, sh1, false);
+    return g.mode == REPLAY_PACK_RELAX_SH0 ? sh0 : sh1;
+}
+
 // Nothing is sanitised: what is not finite in a capture is the denoiser's to deal with.
 vec4 packLobe(ivec2 pixel, vec4 lobe)
 {
+    if (g.mode >= REPLAY_PACK_RELAX_RADIANCE) return packRelax(pixel, lobe);
     float roughness = g.isDiffuse != 0u ? 1.0 : texelFetch(gIn_Guides, pixel, 0).w;
     float normHitDist = getNormHitDist(lobe.w, texelFetch(gIn_Depth, pixel, 0).x, roughness);
     if (g.mode == REPLAY_PACK_REBLUR_HITDIST) return vec4(normHitDist);

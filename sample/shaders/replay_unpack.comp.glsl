@@ -1,4 +1,5 @@
-// One output slot of a denoiser to floats: .xyz radiance, .w normalised hit distance, where there are such.
+// One output slot of a denoiser to floats: .xyz radiance, .w normalised hit distance, where there are such; RELAX's .w
+// is the history length.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_samplerless_texture_functions : require
@@ -56,12 +57,12 @@ vec3 restore(NRD_SG lobe, ivec2 pixel, vec4 guides, vec3 V)
 
 vec3 resolve(NRD_SG lobe, ivec2 pixel)
 {
-    if (g.mode == REPLAY_UNPACK_REBLUR_EXTRACT) return NRD_SG_ExtractColor(lobe);
+    if (g.mode == REPLAY_UNPACK_EXTRACT) return NRD_SG_ExtractColor(lobe);
     vec4 guides = texelFetch(gIn_Guides, pixel, 0);
     vec3 V = getViewVector(pixel, texelFetch(gIn_Depth, pixel, 0).x);
     bool isDiffuse = g.isDiffuse != 0u;
-    if (g.mode == REPLAY_UNPACK_REBLUR_RESTORE) return restore(lobe, pixel, guides, V);
-    if (g.mode == REPLAY_UNPACK_REBLUR_RESOLVE_SH)
+    if (g.mode == REPLAY_UNPACK_RESTORE) return restore(lobe, pixel, guides, V);
+    if (g.mode == REPLAY_UNPACK_RESOLVE_SH)
         return isDiffuse ? NRD_SH_ResolveDiffuse(lobe, guides.xyz)
                          : NRD_SH_ResolveSpecular(lobe, guides.xyz, V, guides.w);
     return isDiffuse ? NRD_SG_ResolveDiffuse(lobe, guides.xyz, V, guides.w)
@@ -74,6 +75,7 @@ vec4 unpack(ivec2 pixel)
     if (g.mode == REPLAY_UNPACK_COPY) return data;
     if (g.mode == REPLAY_UNPACK_REBLUR_HITDIST) return vec4(data.x);
     if (g.mode == REPLAY_UNPACK_REBLUR_RADIANCE) return REBLUR_BackEnd_UnpackRadianceAndNormHitDist(data);
+    if (g.mode == REPLAY_UNPACK_RELAX_RADIANCE) return RELAX_BackEnd_UnpackRadiance(data);
     if (g.mode == REPLAY_UNPACK_REBLUR_DIRECTION_HITDIST)
         return vec4(REBLUR_BackEnd_UnpackDirectionalOcclusion(data).normHitDist);
     NRD_SG lobe = REBLUR_BackEnd_UnpackSh(data, texelFetch(gIn_Sh1, pixel, 0));

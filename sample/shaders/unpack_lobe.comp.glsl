@@ -1,5 +1,5 @@
-// What the denoiser made of a lobe, as linear radiance and in .w the normalised hit distance. The directional forms are
-// resolved for the pixel's own, full-detail normal.
+// What the denoiser made of a lobe, as linear radiance and in .w the normalised hit distance, of RELAX the history
+// length. The directional forms are resolved for the pixel's own, full-detail normal.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_samplerless_texture_functions : require
@@ -15,7 +15,7 @@ layout(set = 0, binding = 4) uniform writeonly image2D gOut_Values;
 layout(push_constant) uniform Constants
 {
     uvec2 size; // pixels
-    uint mode;  // LOBE_..., not LOBE_SH1
+    uint mode;  // LOBE_..., not one of SH1
     uint isDiffuse;
     float denoisingRange; // world units
 };
@@ -49,9 +49,11 @@ vec4 unpack(ivec2 pixel)
 {
     vec4 data = texelFetch(gIn_Slot, pixel, 0);
     if (mode == LOBE_RADIANCE) return REBLUR_BackEnd_UnpackRadianceAndNormHitDist(data);
+    if (mode == LOBE_RELAX) return RELAX_BackEnd_UnpackRadiance(data);
     if (mode == LOBE_HIT_DISTANCE) return vec4(vec3(0.0), data.x);
     if (mode == LOBE_DIRECTION) return vec4(vec3(0.0), REBLUR_BackEnd_UnpackDirectionalOcclusion(data).normHitDist);
-    NRD_SG lobe = REBLUR_BackEnd_UnpackSh(data, texelFetch(gIn_Sh1, pixel, 0));
+    vec4 sh1 = texelFetch(gIn_Sh1, pixel, 0);
+    NRD_SG lobe = mode == LOBE_RELAX_SH0 ? RELAX_BackEnd_UnpackSh(data, sh1) : REBLUR_BackEnd_UnpackSh(data, sh1);
     return vec4(resolve(lobe, pixel), lobe.normHitDist);
 }
 

@@ -267,6 +267,43 @@ vec4 REBLUR_FrontEnd_PackDirectionalOcclusion(vec3 direction, float normHitDist,
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+// RELAX: the same slots, but linear RGB and world units
+
+// As half floats hold it: a miss may be any large value, infinity too. NaN becomes "no sample".
+float RELAX_FrontEnd_GetHitDist(float hitDist)
+{
+    return NRD_IsNan(hitDist) ? 0.0 : clamp(hitDist, 0.0, NRD_FP16_MAX);
+}
+
+// IN_DIFF_RADIANCE_HITDIST, IN_SPEC_RADIANCE_HITDIST
+// radiance: as for REBLUR. hitDist: as for REBLUR_FrontEnd_GetNormHitDist.
+vec4 RELAX_FrontEnd_PackRadianceAndHitDist(vec3 radiance, float hitDist, bool sanitize)
+{
+    if (sanitize)
+    {
+        bool isValid = NRD_IsRadianceFinite(radiance) && !NRD_IsNan(hitDist);
+        radiance = isValid ? clamp(radiance, 0.0, NRD_FP16_MAX) : vec3(0.0, 0.0, 0.0);
+        hitDist = isValid ? hitDist : 0.0;
+    }
+    return vec4(radiance, RELAX_FrontEnd_GetHitDist(hitDist));
+}
+
+// Returns IN_DIFF_SH0, IN_SPEC_SH0; sh1 is IN_DIFF_SH1, IN_SPEC_SH1. direction: as for REBLUR.
+// Scaled by the luma that OUT_x_SH0 has, so that |sh1| over luma is the mean cosine there.
+vec4 RELAX_FrontEnd_PackSh(vec3 radiance, float hitDist, vec3 direction, out vec4 sh1, bool sanitize)
+{
+    vec4 sh0 = RELAX_FrontEnd_PackRadianceAndHitDist(radiance, hitDist, sanitize);
+    sh1 = vec4(NRD_SanitizeDirection(direction, sanitize) * NRD_LinearToYCoCg(sh0.xyz).x, 0.0);
+    return sh0;
+}
+
+// OUT_DIFF_RADIANCE_HITDIST, OUT_SPEC_RADIANCE_HITDIST: (linear radiance, history length in frames).
+vec4 RELAX_BackEnd_UnpackRadiance(vec4 data)
+{
+    return data;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 // Material demodulation
 
 // Pre-integrated GGX: Ray Tracing Gems, chapter 32, equation 4. GLSL matrices are columns; rows are written as dot().

@@ -15,7 +15,7 @@ struct NRD_SG
 {
     float c0;          // luma, or normalised hit distance for directional occlusion
     vec2 chroma;       // Co, Cg
-    float normHitDist; // or history length, as the instance was asked for
+    float normHitDist; // or history length: RELAX always, REBLUR as the instance was asked for
     vec3 c1;           // direction * luma, mean of the samples: |c1| / c0 is the mean cosine to the axis
     float sharpness;   // measured: 0 from everywhere, about 2000 from one point
 };
@@ -37,6 +37,12 @@ NRD_SG REBLUR_BackEnd_UnpackSh(vec4 sh0, vec4 sh1)
     sg.c1 = sh1.xyz;
     sg.sharpness = NRD_SG_GetSharpness(sg.c0, sg.c1);
     return sg;
+}
+
+// The same slots of RELAX, whose inputs are linear: (Y, Co, Cg, history length) and the vector come back.
+NRD_SG RELAX_BackEnd_UnpackSh(vec4 sh0, vec4 sh1)
+{
+    return REBLUR_BackEnd_UnpackSh(sh0, sh1);
 }
 
 // OUT_DIFF_DIRECTION_HITDIST. Resolving it as a diffuse lobe gives the occlusion for the pixel's normal.

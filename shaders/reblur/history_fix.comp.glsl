@@ -246,7 +246,7 @@ float clampTo(float value, Moments m, int lobe, float scale)
 // The longer the history, the more the fast one bounds it; not at all where both are equally long.
 float fastClamp(float luma, Moments m, int lobe, float n, float sigmaScale)
 {
-    float isOn = g.maxFastAccumulatedFrameNum < g.maxAccumulatedFrameNum ? 1.0 : 0.0;
+    float isOn = g.maxFastAccumulatedFrameNum.x < g.maxAccumulatedFrameNum.x ? 1.0 : 0.0;
     return mix(clampTo(luma, m, lobe, sigmaScale), luma, 1.0 / (1.0 + 2.0 * n * isOn));
 }
 

@@ -2,7 +2,7 @@
 // The history was read by temporal accumulation, at the place it chose.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "reblur.glsl"
+#include "denoiser.glsl"
 
 layout(local_size_x = 8, local_size_y = 16) in;
 layout(set = SET_RESOURCES, binding = 0) uniform texture2D gIn_Tiles;

@@ -21,6 +21,9 @@
 #define SPEC_HAS_CONFIDENCE 5
 #define SPEC_HAS_DISOCCLUSION_MIX 6
 #define SPEC_HAS_ANTI_FIREFLY 7
+#define SPEC_IS_LAST 8
+// Per pass
+#define SPEC_STEP 9 // log2 of the wavelet's stride
 
 #define TILE_SIZE 16
 #define VIRTUAL_AMOUNT_STEP 4 // one pixel of 4x4 says how much of its history came along the virtual track

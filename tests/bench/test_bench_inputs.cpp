@@ -36,6 +36,7 @@ const std::vector<BenchSlot>& slots()
         {ResourceType::IN_DIFF_HITDIST, Family::None, kFloats, BENCH_HITDIST, false, false},
         {ResourceType::IN_DIFF_DIRECTION_HITDIST, Family::None, kFloats, BENCH_DIRECTION, false, false},
         {ResourceType::IN_SPEC_SH1, Family::None, kFloats, BENCH_SH1, true, false},
+        {ResourceType::IN_SPEC_SH0, Family::Relax, kFloats, BENCH_RELAX, true, false},
     };
     return rows;
 }
@@ -197,16 +198,25 @@ TEST_CASE("all inputs of a frame are of the same paths", "[gpu]")
     const std::vector<Texel> direction = frames.texels(nrd::ResourceType::IN_DIFF_DIRECTION_HITDIST);
     const std::vector<Texel> specular = frames.texels(nrd::ResourceType::IN_SPEC_RADIANCE_HITDIST);
     const std::vector<Texel> vector = frames.texels(nrd::ResourceType::IN_SPEC_SH1);
-    size_t litCount = 0;
+    const std::vector<Texel> relax = frames.texels(nrd::ResourceType::IN_SPEC_SH0);
+    size_t litCount = 0, missCount = 0;
     for (size_t i = 0; i < kPixelCount; i++)
     {
-        const Texel &d = direction[i], &v = vector[i];
+        const Texel &d = direction[i], &v = vector[i], &r = relax[i];
         CHECK(diffuse[i].w == hitDistance[i].x);
         CHECK(d.w == hitDistance[i].x);
         CHECK(std::sqrt(d.x * d.x + d.y * d.y + d.z * d.z) == Approx(d.w).margin(1e-4));
         CHECK(std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z) == Approx(specular[i].x).epsilon(1e-3).margin(1e-4));
+        // RELAX's is linear, and not normalised: the distance is 0 or a miss where REBLUR's is.
+        CHECK(0.25f * r.x + 0.5f * r.y + 0.25f * r.z == Approx(specular[i].x).epsilon(1e-3).margin(1e-4));
+        CHECK(0.5f * (r.x - r.z) == Approx(specular[i].y).epsilon(1e-3).margin(1e-4));
+        CHECK((r.w > 0.0f) == (specular[i].w > 0.0f));
+        CHECK((r.w >= specular[i].w && r.w <= 65504.0f));
+        missCount += r.w == 65504.0f ? 1 : 0;
         litCount += specular[i].x > 0.0f ? 1 : 0;
         for (float value : {diffuse[i].x, specular[i].x, specular[i].w}) CHECK((value >= 0.0f && value < 250.0f));
     }
     CHECK(litCount > kPixelCount * 8 / 10);
+    CHECK(missCount > kPixelCount / 50);
+    CHECK(missCount < kPixelCount * 9 / 10);
 }

@@ -1,8 +1,10 @@
 // What of the benchmark needs no device: options, the order of frames, the bandwidth floor, reports.
 #include "catch.h"
+#include "relax_slots.h"
 
 #include "bench_camera.h"
 #include "bench_report.h"
+#include "bench_slots.h"
 #include "bench_statistics.h"
 #include "bench_traffic.h"
 
@@ -77,6 +79,26 @@ TEST_CASE("a denoiser is selected by its whole name", "[unit]")
     CHECK_THROWS_AS(selectDenoisers("REBLUR"), SettingError);
     CHECK_THROWS_AS(selectDenoisers("("), SettingError);
     CHECK_THROWS_AS(selectDenoisers("NONE"), SettingError);
+}
+
+TEST_CASE("the benchmark generates every slot of every RELAX denoiser", "[unit]")
+{
+    size_t count = 0;
+    for (const ReplayDenoiser& denoiser : replayDenoisers())
+    {
+        if (denoiser.family != Family::Relax) continue;
+        for (nrd::ResourceType type : relaxLobeSlots(denoiser.name))
+        {
+            INFO(denoiser.name << " " << nrd::toString(type));
+            const BenchSlot* slot = findBenchSlot(type, Family::Relax);
+            REQUIRE(slot);
+            count++;
+            CHECK(slot->type == type);
+            CHECK(slot->isOutput == isOutputSlot(type));
+            CHECK(slot->isSpecular == (std::string(nrd::toString(type)).find("_SPEC_") != std::string::npos));
+        }
+    }
+    CHECK(count == 24);
 }
 
 TEST_CASE("the camera goes there and back in steps of one input frame", "[unit]")

@@ -1,5 +1,5 @@
 // Frames over the recording device: constants, descriptor sets, timings, labels and pools from frame to frame.
-#include "reblur_constants.h"
+#include "denoiser_constants.h"
 #include "recording_fixture.h"
 #include "reference_constants.h"
 #include <cstring>
@@ -49,7 +49,7 @@ TEST_CASE("the frame index reaches the shaders of command buffers that are recor
         const auto bindings = constantBindings(f);
         REQUIRE_FALSE(bindings.empty());
         for (const rhi::RecordedCall& bind : bindings)
-            CHECK(constantsAt<nrd::shared::ReblurConstants>(f, bind).frameIndex == f.settings.frameIndex);
+            CHECK(constantsAt<nrd::shared::DenoiserConstants>(f, bind).frameIndex == f.settings.frameIndex);
     }
 }
 

@@ -34,6 +34,7 @@ TEST_CASE("nothing works before Create, and everything says so", "[unit]")
     requireRefusal(integration.NewFrame(), integration, sentence);
     requireRefusal(integration.SetCommonSettings({}), integration, sentence);
     requireRefusal(integration.SetDenoiserSettings(0, nrd::ReblurSettings{}), integration, sentence);
+    requireRefusal(integration.SetDenoiserSettings(0, nrd::RelaxSettings{}), integration, sentence);
     requireRefusal(integration.SetDenoiserSettings(0, nrd::ReferenceSettings{}), integration, sentence);
     requireRefusal(integration.Resize(1, 1), integration, sentence);
     requireRefusal(integration.Forget(VK_NULL_HANDLE), integration, sentence);
@@ -146,6 +147,7 @@ TEST_CASE("what the library says of settings is passed on, and the old ones stay
     CHECK(std::string(f.integration.GetLastMessage()).find("viewZScale") != std::string::npos);
     require(f.denoise(), f.integration); // with the settings before
     CHECK(f.integration.SetDenoiserSettings(7, nrd::ReblurSettings{}) == Result::INVALID_ARGUMENT);
+    CHECK(f.integration.SetDenoiserSettings(7, nrd::RelaxSettings{}) == Result::INVALID_ARGUMENT);
     CHECK(f.integration.SetDenoiserSettings(8, nrd::ReferenceSettings{}) == Result::INVALID_ARGUMENT);
 }
 

@@ -1,68 +1,17 @@
 // What the replay tool puts into SH and directional slots, and what it makes of them, against the formulas in C++.
 #include "catch.h"
+#include "packing_bench.h"
 
 #include "replay_camera.h"
-#include "replay_gpu.h"
 #include "shaders/replay_modes.h"
 
-#include "engine/commands.h"
-#include "engine/transfer.h"
-
 #include <cmath>
-#include <cstdlib>
-#include <random>
 
 using namespace sample;
+using namespace sample::test;
 
 namespace
 {
-constexpr int kWidth = 24;
-constexpr int kHeight = 16;
-constexpr double kHalfError = 1.0 / 1024.0; // of a rounded component, relative
-
-using Vec3 = std::array<double, 3>;
-
-double dot(const Vec3& a, const Vec3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
-Vec3 normalized(const Vec3& v)
-{
-    const double length = std::sqrt(dot(v, v));
-    return {v[0] / length, v[1] / length, v[2] / length};
-}
-
-Vec3 pixelOf(const Planes& planes, Channel first, size_t i)
-{
-    return {planes[first][i], planes[next(first, 1)][i], planes[next(first, 2)][i]};
-}
-
-void setPixel(Planes& planes, Channel first, size_t i, const Vec3& value)
-{
-    for (int c = 0; c < 3; c++)
-    {
-        std::vector<float>& plane = planes[next(first, c)];
-        plane.resize(planes.pixelCount());
-        plane[i] = static_cast<float>(value[static_cast<size_t>(c)]);
-    }
-}
-
-double luma(const Vec3& rgb) { return 0.25 * rgb[0] + 0.5 * rgb[1] + 0.25 * rgb[2]; }
-
-// A camera that looks along a turned axis from away of the origin, with an off-centre frustum and jitter.
-CaptureInfo makeInfo(double signOfZ)
-{
-    CaptureInfo info;
-    info.width = kWidth;
-    info.height = kHeight;
-    info.metersPerUnit = 0.5;
-    CaptureFrame frame;
-    frame.jitter = {0.25, -0.375};
-    frame.viewToClip = {1.2, 0, 0, 0, 0, 1.9, 0, 0, 0.1 * signOfZ, -0.05 * signOfZ, signOfZ, signOfZ, 0, 0, -0.01, 0};
-    const double c = std::cos(0.6), s = std::sin(0.6);
-    frame.worldToView = {c, 0.0, -s, 0.0, 0.0, 1.0, 0.0, 0.0, s, 0.0, c, 0.0, 2.0, -1.0, 5.0, 1.0};
-    info.frames.push_back(frame);
-    return info;
-}
-
 // Surface to camera, in world space, of the jittered pixel: what unprojecting two depths gives.
 Vec3 viewVector(const CaptureInfo& info, size_t pixel, double viewZ)
 {
@@ -79,35 +28,6 @@ Vec3 viewVector(const CaptureInfo& info, size_t pixel, double viewZ)
     return normalized(world);
 }
 
-Planes makeFrame(double signOfZ)
-{
-    std::mt19937 rng(7);
-    std::normal_distribution<double> normal;
-    std::uniform_real_distribution<double> uniform(0.05, 1.0);
-    Planes frame(kWidth, kHeight);
-    const auto values = [&](Channel channel) -> std::vector<float>&
-    {
-        frame[channel].resize(frame.pixelCount());
-        return frame[channel];
-    };
-    for (size_t i = 0; i < frame.pixelCount(); i++)
-    {
-        values(Channel::ViewZ)[i] = static_cast<float>(signOfZ * (1.0 + 20.0 * uniform(rng)));
-        values(Channel::Roughness)[i] = static_cast<float>(0.2 + 0.8 * uniform(rng));
-        setPixel(frame, Channel::NormalX, i, normalized({normal(rng), normal(rng), normal(rng)}));
-        for (Channel lobe : {Channel::DiffuseR, Channel::SpecularR})
-        {
-            const bool isDiffuse = lobe == Channel::DiffuseR;
-            setPixel(frame, lobe, i, {4.0 * uniform(rng), uniform(rng), 2.0 * uniform(rng)});
-            const double distance = i % 5 == 0 ? (i % 2 ? 0.0 : kHitDistMiss) : 6.0 * uniform(rng);
-            values(isDiffuse ? Channel::DiffuseHitDist : Channel::SpecularHitDist)[i] = static_cast<float>(distance);
-            setPixel(frame, isDiffuse ? Channel::DiffuseDX : Channel::SpecularDX, i,
-                     normalized({normal(rng), normal(rng), normal(rng)}));
-        }
-    }
-    return frame;
-}
-
 double normHitDist(const CaptureInfo& info, const Planes& frame, size_t i, bool isDiffuse)
 {
     const double distance = frame[isDiffuse ? Channel::DiffuseHitDist : Channel::SpecularHitDist][i];
@@ -115,102 +35,6 @@ double normHitDist(const CaptureInfo& info, const Planes& frame, size_t i, bool 
     const double roughness = isDiffuse ? 1.0 : frame[Channel::Roughness][i];
     return std::min(1.0, distance / hitDistanceNormalization(info, frame[Channel::ViewZ][i], roughness));
 }
-
-// Packs slots of one frame and reads them back, without a denoiser in between.
-class Bench
-{
-public:
-    explicit Bench(double signOfZ) : info(makeInfo(signOfZ)), frame(makeFrame(signOfZ)), m_device(deviceDesc())
-    {
-        m_packing = ReplayPacking(m_device);
-        for (size_t l = 0; l < kLayerCount; l++)
-        {
-            m_layers.push_back(makeImage("layer", VK_FORMAT_R32G32B32A32_SFLOAT));
-            const std::vector<float> values = layerValues(frame, static_cast<Layer>(l));
-            engine::upload(m_device, m_layers.back(), std::as_bytes(std::span<const float>(values)));
-        }
-    }
-
-    engine::Image pack(nrd::ResourceType type)
-    {
-        const SlotRow& row = *findSlot(type, Family::Reblur);
-        engine::Image slot = makeImage("slot", row.format);
-        engine::Image& source = m_layers[static_cast<size_t>(row.layer.value_or(Layer::Guides))];
-        engine::Image& direction = row.direction ? m_layers[static_cast<size_t>(*row.direction)] : source;
-        const VkDescriptorSet set = m_packing.createSet(
-            ReplayPacking::PackImages{source, direction, layer(Layer::Guides), layer(Layer::Depth), slot});
-        const nrd::HitDistanceParameters p = hitDistanceParametersOf(info);
-        const PackConstants constants{{p.A / static_cast<float>(info.metersPerUnit), p.B, p.C, 0},
-                                      row.mode,
-                                      row.isDiffuse,
-                                      {kWidth, kHeight},
-                                      0.75f};
-        engine::submitAndWait(m_device,
-                              [&](VkCommandBuffer cmd)
-                              {
-                                  engine::transition(cmd, slot, engine::kStorage);
-                                  m_packing.pack(cmd, set, constants);
-                                  engine::transition(cmd, slot, engine::kSampled);
-                              });
-        return slot;
-    }
-
-    // Four floats per pixel.
-    std::vector<float> unpack(engine::Image& slot, engine::Image& sh1, uint32_t mode, bool isDiffuse)
-    {
-        engine::Image values = makeImage("values", VK_FORMAT_R32G32B32A32_SFLOAT);
-        const VkDescriptorSet set = m_packing.createSet(
-            ReplayPacking::UnpackImages{slot, sh1, layer(Layer::Guides), layer(Layer::Depth), values});
-        UnpackConstants constants = unpackConstantsOf(info, 0);
-        constants.mode = mode;
-        constants.isDiffuse = isDiffuse;
-        engine::submitAndWait(m_device,
-                              [&](VkCommandBuffer cmd)
-                              {
-                                  engine::transition(cmd, values, engine::kStorage);
-                                  m_packing.unpack(cmd, set, constants);
-                              });
-        std::vector<float> result = engine::readBackAs<float>(m_device, values);
-        CHECK(m_device.validationMessageCount() == 0);
-        return result;
-    }
-
-    std::vector<float> copy(nrd::ResourceType type)
-    {
-        engine::Image slot = pack(type);
-        return unpack(slot, slot, REPLAY_UNPACK_COPY, false);
-    }
-
-    const CaptureInfo info;
-    const Planes frame;
-
-private:
-    static engine::DeviceDesc deviceDesc()
-    {
-        engine::DeviceDesc desc;
-        if (const char* name = std::getenv("NRD_TEST_DEVICE")) desc.device = name;
-        desc.validation = std::getenv("NRD_TEST_NO_VALIDATION") == nullptr;
-        desc.features = nrd::GetRequiredDeviceFeatures().features;
-        return desc;
-    }
-    engine::Image makeImage(const char* name, VkFormat format) { return {m_device, {name, kWidth, kHeight, format}}; }
-    engine::Image& layer(Layer which) { return m_layers[static_cast<size_t>(which)]; }
-
-    engine::Device m_device;
-    ReplayPacking m_packing;
-    std::vector<engine::Image> m_layers;
-};
-
-struct Lobe
-{
-    bool isDiffuse;
-    nrd::ResourceType sh0, sh1;
-    Channel radiance, direction;
-};
-constexpr Lobe kLobes[] = {
-    {true, nrd::ResourceType::IN_DIFF_SH0, nrd::ResourceType::IN_DIFF_SH1, Channel::DiffuseR, Channel::DiffuseDX},
-    {false, nrd::ResourceType::IN_SPEC_SH0, nrd::ResourceType::IN_SPEC_SH1, Channel::SpecularR, Channel::SpecularDX},
-};
 
 double power5(double x) { return x * x * x * x * x; }
 
@@ -278,8 +102,8 @@ TEST_CASE("the view frustum of a frame projects back to where its rays came from
 
 TEST_CASE("SH slots hold YCoCg with hit distance, and the direction times luma", "[gpu]")
 {
-    Bench bench(1.0);
-    for (const Lobe& lobe : kLobes)
+    PackingBench bench(1.0);
+    for (const ShLobe& lobe : kShLobes)
     {
         const std::vector<float> sh0 = bench.copy(lobe.sh0), sh1 = bench.copy(lobe.sh1);
         for (size_t i = 0; i < bench.frame.pixelCount(); i++)
@@ -299,11 +123,11 @@ TEST_CASE("SH slots hold YCoCg with hit distance, and the direction times luma",
 
 TEST_CASE("an extracted SH signal is what was packed", "[gpu]")
 {
-    Bench bench(1.0);
-    for (const Lobe& lobe : kLobes)
+    PackingBench bench(1.0);
+    for (const ShLobe& lobe : kShLobes)
     {
         engine::Image sh0 = bench.pack(lobe.sh0), sh1 = bench.pack(lobe.sh1);
-        const std::vector<float> values = bench.unpack(sh0, sh1, REPLAY_UNPACK_REBLUR_EXTRACT, lobe.isDiffuse);
+        const std::vector<float> values = bench.unpack(sh0, sh1, REPLAY_UNPACK_EXTRACT, lobe.isDiffuse);
         for (size_t i = 0; i < bench.frame.pixelCount(); i++)
         {
             const Vec3 rgb = pixelOf(bench.frame, lobe.radiance, i);
@@ -317,12 +141,12 @@ TEST_CASE("a resolved SH signal uses the pixel's normal, roughness and view vect
 {
     for (double sign : {1.0, -1.0})
     {
-        Bench bench(sign);
-        for (const Lobe& lobe : kLobes)
+        PackingBench bench(sign);
+        for (const ShLobe& lobe : kShLobes)
         {
             engine::Image sh0 = bench.pack(lobe.sh0), sh1 = bench.pack(lobe.sh1);
-            const auto sg = bench.unpack(sh0, sh1, REPLAY_UNPACK_REBLUR_RESOLVE_SG, lobe.isDiffuse);
-            const auto sh = bench.unpack(sh0, sh1, REPLAY_UNPACK_REBLUR_RESOLVE_SH, true);
+            const auto sg = bench.unpack(sh0, sh1, REPLAY_UNPACK_RESOLVE_SG, lobe.isDiffuse);
+            const auto sh = bench.unpack(sh0, sh1, REPLAY_UNPACK_RESOLVE_SH, true);
             size_t count = 0;
             for (size_t i = 0; i < bench.frame.pixelCount(); i++)
             {
@@ -344,7 +168,7 @@ TEST_CASE("a resolved SH signal uses the pixel's normal, roughness and view vect
 
 TEST_CASE("the directional slot holds the direction times hit distance, and gives the distance back", "[gpu]")
 {
-    Bench bench(1.0);
+    PackingBench bench(1.0);
     engine::Image slot = bench.pack(nrd::ResourceType::IN_DIFF_DIRECTION_HITDIST);
     const std::vector<float> packed = bench.unpack(slot, slot, REPLAY_UNPACK_COPY, true);
     const std::vector<float> values = bench.unpack(slot, slot, REPLAY_UNPACK_REBLUR_DIRECTION_HITDIST, true);
@@ -360,7 +184,7 @@ TEST_CASE("the directional slot holds the direction times hit distance, and give
 
 TEST_CASE("constant slots hold the value given", "[gpu]")
 {
-    Bench bench(1.0);
+    PackingBench bench(1.0);
     for (nrd::ResourceType type : {nrd::ResourceType::IN_DIFF_CONFIDENCE, nrd::ResourceType::IN_SPEC_CONFIDENCE,
                                    nrd::ResourceType::IN_DISOCCLUSION_THRESHOLD_MIX})
     {

@@ -88,10 +88,14 @@ TEST_CASE("--set reaches every field of the settings", "[unit]")
     const auto reblur = settingFields(settings, Family::Reblur);
     CHECK_FALSE(hasHole(reblur, settings.common));
     CHECK_FALSE(hasHole(reblur, settings.reblur));
+    const auto relax = settingFields(settings, Family::Relax);
+    CHECK_FALSE(hasHole(relax, settings.relax));
     const auto reference = settingFields(settings, Family::Reference);
     CHECK_FALSE(hasHole(reference, settings.reference));
     std::set<std::string> names;
     for (const SettingField& field : reblur) CHECK(names.insert(field.name).second);
+    names.clear();
+    for (const SettingField& field : relax) CHECK(names.insert(field.name).second);
     auto incomplete = reblur;
     incomplete.erase(incomplete.begin() + 20);
     CHECK(hasHole(incomplete, settings.common));

@@ -71,6 +71,9 @@ TEST_CASE("every field of every settings struct has a row", "[unit]")
     CHECK(rowValueCount(reblur, "responsiveAccumulationSettings.") ==
           valueCount<nrd::ResponsiveAccumulationSettings>());
     CHECK(rowValueCount(reblur, "convergenceSettings.") == valueCount<nrd::ConvergenceSettings>());
+    const std::vector<SettingField> relax = settingFields(settings, Family::Relax);
+    CHECK(rowValueCount(relax, "") - common == valueCount<nrd::RelaxSettings>());
+    CHECK(rowValueCount(relax, "antilagSettings.") == valueCount<nrd::RelaxAntilagSettings>());
     const std::vector<SettingField> reference = settingFields(settings, Family::Reference);
     CHECK(rowValueCount(reference, "") - common == valueCount<nrd::ReferenceSettings>());
 }

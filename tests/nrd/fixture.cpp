@@ -143,10 +143,10 @@ uint32_t texelByteSize(Format format)
     return 0;
 }
 
-shared::ReblurConstants reblurConstants(const std::vector<DispatchDesc>& dispatches)
+shared::DenoiserConstants reblurConstants(const std::vector<DispatchDesc>& dispatches)
 {
     const DispatchDesc* pass = findPass(dispatches, "Blur");
     REQUIRE(pass);
-    return constantsOf<shared::ReblurConstants>(*pass);
+    return constantsOf<shared::DenoiserConstants>(*pass);
 }
 } // namespace test

@@ -1,7 +1,7 @@
 // What the tests of the descriptor library share: valid settings, an owned instance, and views of what it emits.
 #pragma once
 #include "catch.h"
-#include "reblur_constants.h"
+#include "denoiser_constants.h"
 #include <memory>
 #include <nrd/nrd.h>
 #include <string>
@@ -41,7 +41,7 @@ std::vector<DispatchDesc> request(Instance& instance, const std::vector<Identifi
 std::vector<DispatchDesc> requestFrame(Instance& instance, CommonSettings& common,
                                        const std::vector<Identifier>& identifiers = {0});
 std::vector<std::string> passNames(const std::vector<DispatchDesc>& dispatches);      // without "DENOISER - "
-shared::ReblurConstants reblurConstants(const std::vector<DispatchDesc>& dispatches); // of the blur
+shared::DenoiserConstants reblurConstants(const std::vector<DispatchDesc>& dispatches); // of the blur
 const DispatchDesc* findPass(const std::vector<DispatchDesc>& dispatches, const std::string& name); // null = none
 
 bool isPool(ResourceType type);

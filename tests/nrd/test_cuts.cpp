@@ -101,7 +101,7 @@ TEST_CASE("a denoiser of half the resolution has half of everything in pixels", 
     REQUIRE(blur);
     CHECK(blur->gridWidth == 7);  // 50 pixels in groups of 8
     CHECK(blur->gridHeight == 2); // 30 pixels in groups of 16
-    const shared::ReblurConstants g = reblurConstants(dispatches);
+    const shared::DenoiserConstants g = reblurConstants(dispatches);
     CHECK(g.rectSize.x == 50.0f);
     CHECK(g.rectOrigin.x == 1);
     CHECK(g.resourceSizeInv.x == Approx(1.0f / 51.0f));

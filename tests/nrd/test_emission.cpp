@@ -1,5 +1,5 @@
+#include "denoiser_constants.h"
 #include "fixture.h"
-#include "reblur_constants.h"
 #include <algorithm>
 #include <set>
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 using namespace test;
-using nrd::shared::ReblurConstants;
+using nrd::shared::DenoiserConstants;
 
 namespace
 {
@@ -22,7 +22,7 @@ struct Inputs
         history.splitScreen = 0.125f;
     }
 
-    ReblurConstants make() const
+    DenoiserConstants make() const
     {
         const FamilySettings family = settings;
         const FrameState frame = makeFrameState(common, frameRateScale(common.timeDeltaBetweenFrames));
@@ -48,7 +48,7 @@ TEST_CASE("kernels turn by the golden ratio as specified", "[unit]")
     for (uint32_t frame = 0; frame < 4; frame++)
     {
         inputs.common.frameIndex = frame;
-        const ReblurConstants g = inputs.make();
+        const DenoiserConstants g = inputs.make();
         CHECK(degrees(g.rotatorPrePass) == Approx(prePass[frame]).margin(1e-3));
         CHECK(degrees(g.rotatorBlur) == Approx(blur[frame]).margin(1e-3));
         CHECK(degrees(g.rotatorPostBlur) == Approx(blur[frame] + 22.5).margin(1e-3));
@@ -60,9 +60,9 @@ TEST_CASE("kernels turn by the golden ratio as specified", "[unit]")
 TEST_CASE("derived REBLUR settings are those of the specification", "[unit]")
 {
     Inputs inputs;
-    const ReblurConstants g = inputs.make();
-    CHECK(g.maxAccumulatedFrameNum == 30.0f);
-    CHECK(g.maxFastAccumulatedFrameNum == 6.0f);
+    const DenoiserConstants g = inputs.make();
+    CHECK(g.maxAccumulatedFrameNum.y == 30.0f);
+    CHECK(g.maxFastAccumulatedFrameNum.x == 6.0f);
     CHECK(g.lobeAngleFraction == Approx(0.0225f));
     CHECK(g.stabilizationStrength == Approx(63.0f / 64.0f));
     CHECK(g.fastClampSigmaScale == 2.0f);
@@ -84,7 +84,7 @@ TEST_CASE("derived REBLUR settings are those of the specification", "[unit]")
 
 TEST_CASE("the convergence constants give the specified factor", "[unit]")
 {
-    const ReblurConstants g = Inputs().make();
+    const DenoiserConstants g = Inputs().make();
     const auto beta = [&](float n)
     {
         const float t = std::min(n * g.convergenceLengthInv, 1.0f);
@@ -101,7 +101,7 @@ TEST_CASE("radii follow the root of the rectangle's height", "[unit]")
     Inputs inputs;
     inputs.common.rectSize[0] = 50;
     inputs.common.rectSize[1] = 40; // a sixth of the radii at 1440 lines
-    const ReblurConstants g = inputs.make();
+    const DenoiserConstants g = inputs.make();
     CHECK(g.maxBlurRadius == Approx(5.0f));
     CHECK(g.diffusePrepassRadius == Approx(3.0f));
     CHECK(g.specularPrepassRadius == Approx(6.0f));
@@ -114,10 +114,10 @@ TEST_CASE("a reset leaves no history to the shaders", "[unit]")
     Inputs inputs;
     inputs.isReset = true;
     inputs.common.splitScreen = 0.5f;
-    const ReblurConstants g = inputs.make();
+    const DenoiserConstants g = inputs.make();
     CHECK(g.isHistoryReset == 1);
-    CHECK(g.maxAccumulatedFrameNum == 0.0f);
-    CHECK(g.maxFastAccumulatedFrameNum == 0.0f);
+    CHECK(g.maxAccumulatedFrameNum.y == 0.0f);
+    CHECK(g.maxFastAccumulatedFrameNum.x == 0.0f);
     CHECK(g.stabilizationStrength == 0.0f);
     CHECK(g.splitScreenPrev == 0.5f);
 }

@@ -1,11 +1,11 @@
+#include "denoiser_constants.h"
 #include "fixture.h"
-#include "reblur_constants.h"
 #include <algorithm>
 #include <cmath>
 #include <set>
 
 using namespace test;
-using nrd::shared::ReblurConstants;
+using nrd::shared::DenoiserConstants;
 
 namespace
 {
@@ -100,21 +100,21 @@ TEST_CASE("a reset drops history lengths and previous sizes, for the denoiser th
     common.resourceSizePrev[0] = 80;
     common.cameraJitter[0] = 0.25f;
     common.cameraJitterPrev[0] = -0.25f;
-    const ReblurConstants late = reblurConstants(requestFrame(*instance, common, {1}));
+    const DenoiserConstants late = reblurConstants(requestFrame(*instance, common, {1}));
     CHECK(late.isHistoryReset == 1);
     CHECK(late.rectSizePrev.x == 100.0f);
     CHECK(late.resourceSizeInvPrev.x == 1.0f / 100.0f);
     CHECK(late.disocclusionThreshold == Approx(0.01f + 1.0f / 60.0f)); // no jitter between equal frames
-    CHECK(late.maxAccumulatedFrameNum == 0.0f);
-    CHECK(late.maxFastAccumulatedFrameNum == 0.0f);
+    CHECK(late.maxAccumulatedFrameNum.y == 0.0f);
+    CHECK(late.maxFastAccumulatedFrameNum.y == 0.0f);
     CHECK(late.stabilizationStrength == 0.0f);
 
-    const ReblurConstants old = reblurConstants(requestFrame(*instance, common, {0}));
+    const DenoiserConstants old = reblurConstants(requestFrame(*instance, common, {0}));
     CHECK(old.isHistoryReset == 0);
     CHECK(old.rectSizePrev.x == 50.0f);
     CHECK(old.resourceSizeInvPrev.x == 1.0f / 80.0f);
     CHECK(old.disocclusionThreshold == Approx(0.01f + 1.5f / 60.0f));
-    CHECK(old.maxAccumulatedFrameNum == 30.0f);
+    CHECK(old.maxAccumulatedFrameNum.y == 30.0f);
     CHECK(old.stabilizationStrength == Approx(63.0f / 64.0f));
 }
 

@@ -1,10 +1,10 @@
 // The overlay as a pass like any other: there when it is asked for, and nowhere else.
+#include "denoiser_constants.h"
 #include "fixture.h"
-#include "reblur_constants.h"
 #include <algorithm>
 
 using namespace test;
-using nrd::shared::ReblurConstants;
+using nrd::shared::DenoiserConstants;
 
 namespace
 {
@@ -118,7 +118,7 @@ TEST_CASE("the overlay is told where camera and sample lie", "[unit]")
     common.cameraJitter[1] = -0.375f;
     common.cameraJitterPrev[0] = 0.125f;
     const std::vector<DispatchDesc> dispatches = requestFrame(*instance, common);
-    const ReblurConstants& g = constantsOf<ReblurConstants>(dispatches.back());
+    const DenoiserConstants& g = constantsOf<DenoiserConstants>(dispatches.back());
     CHECK(g.cameraPosition.x == 3.25f);
     CHECK(g.cameraPosition.y == 1022.5f);
     CHECK(g.cameraPosition.z == 6.0f);

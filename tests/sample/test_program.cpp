@@ -202,7 +202,7 @@ TEST_CASE("bad arguments and broken files end in one sentence and exit code 1", 
     checkRefused(run("--headless " + triangle + " --environment " + (folder / "broken.hdr").string()), "broken.hdr");
     checkRefused(run("--headless --size 12"), "--size");
     checkRefused(run("--headless --denoiser MAGIC"), "--denoiser");
-    checkRefused(run("--headless --denoiser RELAX_DIFFUSE"), "REBLUR_DIFFUSE_SH");
+    checkRefused(run("--headless --denoiser RELAX"), "REBLUR_DIFFUSE_SH");
     checkRefused(run("--headless --lobes one"), "probabilistic");
     checkRefused(run("--headless --checkerboard red"), "white");
     checkRefused(run("--headless --checkerboard black --lobes probabilistic"), "--checkerboard");

@@ -32,6 +32,11 @@ Results evaluate(Arguments v)
         NRD_FrontEnd_SpecHitDistAveraging_End(r.first.x);
         r.first.y = NRD_FrontEnd_TrimHitDistance(v.a.x, 0.5);
         break;
+    case FN_PACK_RELAX:
+        r.first = RELAX_FrontEnd_PackRadianceAndHitDist(v.a.xyz, v.a.w, v.b.x != 0.0);
+        r.second = RELAX_BackEnd_UnpackRadiance(r.first);
+        break;
+    case FN_PACK_RELAX_SH: r.first = RELAX_FrontEnd_PackSh(v.a.xyz, v.a.w, v.b.xyz, r.second, v.b.w != 0.0); break;
     case FN_PACK_SH: r.first = REBLUR_FrontEnd_PackSh(v.a.xyz, v.a.w, v.b.xyz, r.second, v.b.w != 0.0); break;
     case FN_PACK_DIRECTIONAL:
         r.first = REBLUR_FrontEnd_PackDirectionalOcclusion(v.a.xyz, v.a.w, v.b.x != 0.0);

@@ -14,12 +14,13 @@
 #define FN_ENVIRONMENT_TERM 9  // a.xyz F0, a.w NoV, b.x roughness
 #define FN_MATERIAL_FACTORS 10 // a.xyz albedo, a.w roughness, b.xyz F0, b.w NoV
 #define FN_AVERAGING 11        // a = four specular hit distances
-
+#define FN_PACK_RELAX 12       // a = radiance, hitDist; b.x sanitize -> packed; unpacked again
 #define FN_PACK_SH 13          // a = radiance, normHitDist; b.xyz direction, b.w sanitize -> sh0, sh1
 #define FN_PACK_DIRECTIONAL 14 // a = direction, normHitDist; b.x sanitize
 #define FN_TRIMMING 15         // a.x roughness, b.xyz parameters, a.y geometry term -> factor, compensation
 #define FN_TRIMMED_SAMPLE 16   // a.xy random, a.z roughness, a.w factor, b.xyz view
 #define FN_STRANDS 17          // a.xyz tangent, a.w pixel size, b.xyz view, b.w thickness -> normal, factor; bitangent
+#define FN_PACK_RELAX_SH 18    // a = radiance, hitDist; b.xyz direction, b.w sanitize -> sh0, sh1
 
 #define FN_FALLOFFS 20           // a.x -> soft, heavy, smooth01, acosApprox
 #define FN_RAMP 21               // a.xyz
@@ -53,5 +54,6 @@
 #define FN_REJITTER 112           // a diffuse c1, roughness; b specular c1; c V; d = N, viewZ; e to h neighbours' d
 #define FN_DOMINANT 113           // c.xyz N, c.w roughness, d.xyz V
 #define FN_REFERENCE_NORMAL 114   // c = V, roughness; d = N, viewZ; e to h neighbours' d
+#define FN_UNPACK_RELAX_SH 115    // -> c0, chroma, history length; c1, sharpness
 
 #endif

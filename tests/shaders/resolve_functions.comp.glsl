@@ -31,6 +31,10 @@ Results evaluate(Arguments v)
     switch (kFunction)
     {
     case FN_UNPACK_SH: r = Results(vec4(sg.c0, sg.chroma, sg.normHitDist), vec4(sg.c1, sg.sharpness)); break;
+    case FN_UNPACK_RELAX_SH:
+        sg = RELAX_BackEnd_UnpackSh(v.a, v.b);
+        r = Results(vec4(sg.c0, sg.chroma, sg.normHitDist), vec4(sg.c1, sg.sharpness));
+        break;
     case FN_UNPACK_DIRECTIONAL:
         sg = REBLUR_BackEnd_UnpackDirectionalOcclusion(v.a);
         r = Results(vec4(sg.c0, sg.chroma, sg.normHitDist), vec4(sg.c1, sg.sharpness));

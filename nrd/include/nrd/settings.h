@@ -127,7 +127,71 @@ struct ReblurSettings
     bool enableReferenceAccumulation = false;
 };
 
-// History lengths should come from time: floor(seconds * fps + 0.5), at most 63, the longest history of REBLUR.
+struct RelaxAntilagSettings
+{
+    float accelerationAmount = 0.3f; // [0; 1], push towards the local mean where the fast history clamps, 0 = off
+    float spatialSigmaScale = 4.5f;  // (0; 100], tolerated change in standard deviations of the fast history
+    float temporalSigmaScale = 0.5f; // (0; 100], ... plus as many of the noisy input
+    float resetAmount = 0.5f;        // [0; 1], how far a greater change throws the history away, 0 = off
+};
+
+// For direct light of resampled reservoirs: hit distance steers the pre-pass and the motion of reflections, never the
+// filter. Radiance is RGB with luminance at most 250; hit distance is in world units.
+struct RelaxSettings
+{
+    RelaxAntilagSettings antilagSettings = {};
+
+    uint32_t diffuseMaxAccumulatedFrameNum = 30;     // [0; 63] frames, about half a second
+    uint32_t specularMaxAccumulatedFrameNum = 30;    // [0; 63] frames
+    uint32_t diffuseMaxFastAccumulatedFrameNum = 6;  // [0; 63] frames, >= diffuseMaxAccumulatedFrameNum = no clamp
+    uint32_t specularMaxFastAccumulatedFrameNum = 6; // [0; 63] frames, >= specularMaxAccumulatedFrameNum = no clamp
+    uint32_t historyFixFrameNum = 3;                 // [0; 3] frames, below both fast maxima; 0 = off
+    uint32_t historyFixBasePixelStride = 14;         // [1; 64] pixels, divided by 1 + history length
+    uint32_t historyFixAlternatePixelStride = 14;    // [1; 64] pixels
+    float historyFixEdgeStoppingNormalPower = 8.0f;  // (0; 128], of the cosine between normals; diffuse only
+    float fastHistoryClampingSigmaScale = 2.0f;      // [1; 3] standard deviations
+
+    // Radii are pixels at a rectangle of 1440 lines and scale with the square root of its height, as REBLUR's do. Clean
+    // signals want none: what the pre-pass blurs no later pass brings back.
+    PrePassMode prePassMode = PrePassMode::SIMPLE;
+    float diffusePrepassBlurRadius = 18.0f;  // [0; 256] pixels, 0 = off
+    float specularPrepassBlurRadius = 36.0f; // [0; 256] pixels, 0 = off
+    float minHitDistanceWeight = 0.1f;       // (0; 0.2]
+
+    // The wavelet reaches 2^atrousIterationNum - 1 pixels. A difference of luminance counts in standard deviations of
+    // the signal: the phis say how many of them lower a weight to 1/e, the minima below what no difference lowers it.
+    uint32_t atrousIterationNum = 5;                        // [2; 8] passes
+    uint32_t spatialVarianceEstimationHistoryThreshold = 3; // [0; 63] frames, shorter histories look at 5x5 pixels
+    float diffusePhiLuminance = 2.0f;                       // [0; 100]
+    float specularPhiLuminance = 1.0f;                      // [0; 100]
+    float diffuseMinLuminanceWeight = 0.0f;                 // [0; 1], 0 = none, 1 = no luminance stop
+    float specularMinLuminanceWeight = 0.0f;                // [0; 1], 0 = none, 1 = no luminance stop
+    float specularVarianceBoost = 0.0f;                     // [0; 65504], luminance squared, where motion is doubtful
+    float depthThreshold = 0.003f;                          // (0; 1], distance from the plane, fraction of viewZ
+    float lobeAngleFraction = 0.5f;                         // [0; 1], a third more if the SH are resolved
+    float specularLobeAngleSlack = 0.15f;                   // [0; 90] degrees, added to that of the lobe
+    float roughnessFraction = 0.15f;                        // [0; 1]
+    // How little a change of the view direction counts as one of the reflection: 0 = in full, 1 = half.
+    float roughnessEdgeStoppingRelaxation = 1.0f; // [0; 1]
+
+    // How much edges give way to blur where the history of specular cannot be trusted: 0 = not at all.
+    float luminanceEdgeStoppingRelaxation = 0.5f; // [0; 1]
+    float normalEdgeStoppingRelaxation = 0.3f;    // [0; 1]
+    // The same where IN_DIFF_CONFIDENCE and IN_SPEC_CONFIDENCE are low, by saturate(multiplier * (1 - confidence)).
+    float confidenceDrivenRelaxationMultiplier = 0.0f;            // [0; 1], 0 = off
+    float confidenceDrivenLuminanceEdgeStoppingRelaxation = 0.0f; // [0; 1]
+    float confidenceDrivenNormalEdgeStoppingRelaxation = 0.0f;    // [0; 1]
+
+    uint32_t minMaterialForDiffuse = 4;  // >= 0, material IDs from here on do not mix, 4 = test off
+    uint32_t minMaterialForSpecular = 4; // >= 0
+
+    CheckerboardMode checkerboardMode = CheckerboardMode::OFF; // orientation of diffuse; specular is the opposite
+    HitDistanceReconstructionMode hitDistanceReconstructionMode = HitDistanceReconstructionMode::OFF;
+    bool enableAntiFirefly = false;
+    bool enableRoughnessEdgeStopping = true; // false: specular stops at normals as diffuse does
+};
+
+// History lengths should come from time: floor(seconds * fps + 0.5), at most 63, the longest history of any family.
 // With frame generation fps is the rendered rate. Nothing sensible (NaN, negative) gives 0.
 inline uint32_t GetMaxAccumulatedFrameNum(float seconds, float fps)
 {

@@ -5,7 +5,8 @@
 namespace nrd
 {
 extern const Family kReblur;
+extern const Family kRelax;
 extern const Family kReference;
 
-constexpr const Family* kFamilies[] = {&kReblur, &kReference};
+constexpr const Family* kFamilies[] = {&kReblur, &kRelax, &kReference};
 } // namespace nrd

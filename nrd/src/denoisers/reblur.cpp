@@ -1,6 +1,6 @@
 // REBLUR: recurrent blur with two kinds of history. Textures, passes, variants; the constants are next door.
 #include "reblur.h"
-#include "bindings.h"
+#include "common_rows.h"
 #include "families.h"
 #include <cstring>
 
@@ -56,22 +56,11 @@ static_assert(rowsMatchKeys(kTextures));
 
 ReblurSettings settingsOf(const Conditions& c) { return effective(std::get<ReblurSettings>(c.settings)); }
 
-// With the split at the right border nothing but the input is shown, so nothing else runs.
-bool isDenoised(const Conditions& c) { return c.common.splitScreen < 1.0f; }
-bool isSplit(const Conditions& c) { return c.common.splitScreen > 0.0f; }
-
-bool hasCutDetection(const Conditions& c) { return c.common.enableCutDetection; }
-bool runsCutDetection(const Conditions& c) { return isDenoised(c) && hasCutDetection(c); }
-
 // Besides blurring, the pre-pass completes what an application left out: hit distances, half of a checkerboard.
 bool hasPrePass(const Conditions& c)
 {
     const ReblurSettings s = settingsOf(c);
-    const bool isIncomplete = s.checkerboardMode != CheckerboardMode::OFF ||
-                              s.hitDistanceReconstructionMode != HitDistanceReconstructionMode::OFF;
-    const bool isBlurred = (has(c.variant, kDiffuse) && s.diffusePrepassBlurRadius > 0.0f) ||
-                           (has(c.variant, kSpecular) && s.specularPrepassBlurRadius > 0.0f);
-    return isIncomplete || (isBlurred && !has(c.variant, kOcclusion));
+    return isIncomplete(s) || (isBlurred(c, s) && !has(c.variant, kOcclusion));
 }
 bool runsPrePass(const Conditions& c) { return isDenoised(c) && hasPrePass(c); }
 
@@ -79,31 +68,16 @@ bool hasStabilization(const Conditions& c) { return settingsOf(c).maxStabilizedF
 bool runsStabilization(const Conditions& c) { return isDenoised(c) && hasStabilization(c); }
 
 bool hasAntiFirefly(const Conditions& c) { return settingsOf(c).enableAntiFirefly; }
-bool hasConfidence(const Conditions& c) { return c.common.isHistoryConfidenceAvailable; }
-bool hasDisocclusionMix(const Conditions& c) { return c.common.isDisocclusionThresholdMixAvailable; }
-bool hasValidation(const Conditions& c) { return c.common.enableValidation; }
-
 bool hasMaterialTest(const Conditions& c)
 {
-    constexpr uint32_t kMaterialNum = 4; // two bits
-    if (c.normalEncoding != NormalEncoding::R10_G10_B10_A2_UNORM) return false;
     const ReblurSettings s = settingsOf(c);
-    return (has(c.variant, kDiffuse) && s.minMaterialForDiffuse < kMaterialNum) ||
-           (has(c.variant, kSpecular) && s.minMaterialForSpecular < kMaterialNum) ||
-           c.common.strandMaterialID < kMaterialNum || c.common.cameraAttachedReflectionMaterialID < kMaterialNum ||
-           c.common.historyFixAlternatePixelStrideMaterialID < kMaterialNum;
+    return usesMaterials(c, s.minMaterialForDiffuse, s.minMaterialForSpecular);
 }
 
 constexpr SwitchRow kPrePassSwitch = {SPEC_HAS_PREPASS, hasPrePass};
 constexpr SwitchRow kStabilization = {SPEC_HAS_STABILIZATION, hasStabilization, kStabilized};
 constexpr SwitchRow kMaterialTest = {SPEC_HAS_MATERIAL_TEST, hasMaterialTest};
-constexpr SwitchRow kConfidence = {SPEC_HAS_CONFIDENCE, hasConfidence};
-constexpr SwitchRow kDisocclusionMix = {SPEC_HAS_DISOCCLUSION_MIX, hasDisocclusionMix};
 constexpr SwitchRow kAntiFirefly = {SPEC_HAS_ANTI_FIREFLY, hasAntiFirefly, kColor};
-
-constexpr ResourceType ViewZ = ResourceType::IN_VIEWZ;
-constexpr ResourceType NormalRoughness = ResourceType::IN_NORMAL_ROUGHNESS;
-constexpr ResourceType Motion = ResourceType::IN_MV;
 
 // Without a pre-pass the input is accumulated as it came, and nobody wrote a tracking distance.
 constexpr Slot kEachAccumulated = choose(hasPrePass, each(Scratch), kEachInput);
@@ -111,17 +85,9 @@ constexpr Slot kTrackNew = only(kSpecularColor, optional(hasPrePass, TrackNew));
 // Without stabilisation nobody keeps this history up to date.
 constexpr Slot kStab = only(kStabilized, optional(hasStabilization, Stab));
 constexpr Slot kCut = optional(hasCutDetection, Cut);
-constexpr Slot kThresholdMix = optional(hasDisocclusionMix, ResourceType::IN_DISOCCLUSION_THRESHOLD_MIX);
-constexpr Slot kDiffuseConfidence = only(kDiffuse, optional(hasConfidence, ResourceType::IN_DIFF_CONFIDENCE));
-constexpr Slot kSpecularConfidence = only(kSpecular, optional(hasConfidence, ResourceType::IN_SPEC_CONFIDENCE));
 // The overlay shows the inputs even when nothing is denoised.
 constexpr Slot kShownLength = optional(isDenoised, Length);
 constexpr Slot kShownVirtualAmount = only(kSpecular, optional(isDenoised, VirtualAmount));
-
-constexpr GroupSize kTile = {TILE_SIZE, TILE_SIZE}; // whatever the number of invocations
-constexpr GroupSize kGroup16x16 = {16, 16};
-constexpr GroupSize kGroup8x16 = {8, 16};
-constexpr GroupSize kOneGroup = {1, 1}; // of a grid of one
 
 // From the first variant a pass applies to, to the last.
 constexpr ShaderSet kPrePass = {Shader::ReblurPrePassDiffuse, Shader::ReblurPrePassDiffuseDirectionalOcclusion};
@@ -140,8 +106,8 @@ constexpr ShaderSet kValidation = {Shader::ReblurValidationDiffuse,
 
 // name, shader per variant, reads, writes, group, runs if, switches. Outputs are written once, by the last pass.
 constexpr PassRow kPasses[] = {
-    {"Classify tiles", Shader::ReblurClassifyTiles, {ViewZ, Motion, PrevViewZ}, {Tiles}, kTile, isDenoised},
-    {"Detect cut", Shader::ReblurDetectCut, {Tiles}, {Cut}, kOneGroup, runsCutDetection, {}, kOneTexel},
+    {"Classify tiles", Shader::ClassifyTiles, {ViewZ, Motion, PrevViewZ}, {Tiles}, kTile, isDenoised},
+    {"Detect cut", Shader::DetectCut, {Tiles}, {Cut}, kOneGroup, runsCutDetection, {}, kOneTexel},
     {"Pre-pass",
      kPrePass,
      {Tiles, ViewZ, NormalRoughness, kEachInput},
@@ -198,28 +164,8 @@ constexpr PassRow kPasses[] = {
      hasValidation},
 };
 
-constexpr SignalRow diffuse(ResourceType input, ResourceType output, Format format)
-{
-    return {input, output, format, kDiffuse};
-}
-constexpr SignalRow specular(ResourceType input, ResourceType output, Format format)
-{
-    return {input, output, format, kSpecular};
-}
-
-using Type = ResourceType;
-
-constexpr SignalRow kDiffuseRadiance =
-    diffuse(Type::IN_DIFF_RADIANCE_HITDIST, Type::OUT_DIFF_RADIANCE_HITDIST, RGBA16_SFLOAT);
-constexpr SignalRow kSpecularRadiance =
-    specular(Type::IN_SPEC_RADIANCE_HITDIST, Type::OUT_SPEC_RADIANCE_HITDIST, RGBA16_SFLOAT);
 constexpr SignalRow kDiffuseHitDist = diffuse(Type::IN_DIFF_HITDIST, Type::OUT_DIFF_HITDIST, R16_UNORM);
 constexpr SignalRow kSpecularHitDist = specular(Type::IN_SPEC_HITDIST, Type::OUT_SPEC_HITDIST, R16_UNORM);
-constexpr SignalRow kDiffuseSh0 = diffuse(Type::IN_DIFF_SH0, Type::OUT_DIFF_SH0, RGBA16_SFLOAT);
-constexpr SignalRow kSpecularSh0 = specular(Type::IN_SPEC_SH0, Type::OUT_SPEC_SH0, RGBA16_SFLOAT);
-// Directions are kept relative to luma, so ten bits do and a change of luma leaves them alone.
-constexpr SignalRow kDiffuseSh1 = diffuse(Type::IN_DIFF_SH1, Type::OUT_DIFF_SH1, A2B10G10R10_UNORM_PACK32);
-constexpr SignalRow kSpecularSh1 = specular(Type::IN_SPEC_SH1, Type::OUT_SPEC_SH1, A2B10G10R10_UNORM_PACK32);
 constexpr SignalRow kDirection =
     diffuse(Type::IN_DIFF_DIRECTION_HITDIST, Type::OUT_DIFF_DIRECTION_HITDIST, RGBA16_SNORM);
 
@@ -240,11 +186,11 @@ constexpr Variant kVariants[] = {
     {Denoiser::REBLUR_DIFFUSE_DIRECTIONAL_OCCLUSION, kDiffuse, kDirectionalOcclusion, {kDirection}},
 };
 static_assert(shadersMatchVariants(kPasses, kVariants));
-static_assert(sizeof(shared::ReblurConstants) <= kConstantMaxByteSize);
+static_assert(sizeof(shared::DenoiserConstants) <= kConstantMaxByteSize);
 
 void fillConstants(const Request& request, void* block)
 {
-    const shared::ReblurConstants constants = makeReblurConstants(request);
+    const shared::DenoiserConstants constants = makeReblurConstants(request);
     std::memcpy(block, &constants, sizeof(constants));
 }
 
@@ -260,6 +206,6 @@ RequestHistory advance(const Request& request)
 }
 } // namespace
 
-const Family kReblur = {ReblurSettings{}, kVariants, kTextures, kPasses, sizeof(shared::ReblurConstants), true,
+const Family kReblur = {ReblurSettings{}, kVariants, kTextures, kPasses, sizeof(shared::DenoiserConstants), true,
                         fillConstants,    advance};
 } // namespace nrd

@@ -1,11 +1,11 @@
 // The constants of REBLUR. Pure.
 #pragma once
+#include "denoiser_constants.h"
 #include "pass_table.h"
-#include "reblur_constants.h"
 
 namespace nrd
 {
 // Settings with the debug switches applied: what the tables and constants are made of.
 ReblurSettings effective(const ReblurSettings& settings);
-shared::ReblurConstants makeReblurConstants(const Request& request);
+shared::DenoiserConstants makeReblurConstants(const Request& request);
 } // namespace nrd

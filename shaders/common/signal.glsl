@@ -5,7 +5,9 @@
 
 struct Signal
 {
-    vec4 value; // .w normalised hit distance; .xyz Y, Co, Cg; occlusion: .x as .w; directional: direction * .w
+    // .w normalised hit distance; .xyz Y, Co, Cg; occlusion: .x as .w; directional: direction * .w.
+    // RELAX: .w world units before accumulation; afterwards the variance over the squared luma.
+    vec4 value;
     vec3 axis;  // spherical harmonics: direction * Y, shorter the less directional the light
 };
 
@@ -41,7 +43,8 @@ vec4 clampNegatives(vec4 value)
 {
     if (kIsOcclusion) return vec4(saturate(value.x), 0.0, 0.0, saturate(value.x));
     if (kIsDirectional) return vec4(clamp(value.xyz, -1.0, 1.0), saturate(value.w));
-    return vec4(NRD_LinearToYCoCg(NRD_YCoCgToLinear(value.xyz)), saturate(value.w));
+    float w = kIsRelax ? max(value.w, 0.0) : saturate(value.w);
+    return vec4(NRD_LinearToYCoCg(NRD_YCoCgToLinear(value.xyz)), w);
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -54,6 +57,8 @@ vec4 sanitize(vec4 value, out bool isValid)
     isValid = NRD_IsRadianceFinite(value.xyz) && NRD_IsFinite(value.w);
     if (!isValid) return vec4(0.0);
     if (kIsBounded) return vec4(clamp(value.xyz, -1.0, 1.0), saturate(value.w));
+    if (kIsRelax)
+        return vec4(NRD_LinearToYCoCg(clamp(value.xyz, 0.0, NRD_FP16_MAX)), clamp(value.w, 0.0, NRD_FP16_MAX));
     return clamp(value, vec4(0.0, -NRD_FP16_MAX, -NRD_FP16_MAX, 0.0), vec4(vec3(NRD_FP16_MAX), 1.0));
 }
 
@@ -104,7 +109,8 @@ void storeSignal(writeonly image2D t, writeonly image2D second, ivec2 pixel, Sig
 // As the application receives it: with the axis in units of radiance again, or with the history length.
 void storeOutput(writeonly image2D t, writeonly image2D second, ivec2 pixel, Signal s, float n)
 {
-    if (!kIsBounded && g.returnHistoryLength != 0u) s.value.w = n;
+    if (kIsRelax) s.value = vec4(kIsSh ? s.value.xyz : NRD_YCoCgToLinear(s.value.xyz), n);
+    if (!kIsRelax && !kIsBounded && g.returnHistoryLength != 0u) s.value.w = n;
     imageStore(t, pixel, encodeValue(s));
     if (kIsSh) imageStore(second, pixel, roundToHalf(vec4(s.axis, 0.0)));
 }

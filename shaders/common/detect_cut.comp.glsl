@@ -3,7 +3,7 @@
 #extension GL_GOOGLE_include_directive : require
 #define LOBES 3
 #define SIGNAL 0
-#include "reblur.glsl"
+#include "denoiser.glsl"
 
 layout(local_size_x = 256) in;
 layout(set = SET_RESOURCES, binding = 0) uniform texture2D gIn_Tiles;

@@ -1,7 +1,7 @@
 // The eight-tap recurrent blur that the pre-pass, blur and post-blur share; they differ in a Kernel and in the lobe.
 #ifndef SPATIAL_FILTER_GLSL
 #define SPATIAL_FILTER_GLSL
-#include "reblur.glsl"
+#include "denoiser.glsl"
 
 // Four taps at radius 1, four at radius 1/2 on the diagonals; .z = exp(-0.66 r^2).
 const vec3 kTaps[8] = vec3[](
@@ -101,7 +101,9 @@ Tap readTap(texture2D viewZs, texture2D normals, Pixel p, Lobe lobe, Weights w, 
 
 float hitDistWeight(Weights w, float centre, float other)
 {
-    return w.minHitDist + heavy(abs(other - centre) * w.hitDist);
+    // World units say nothing by themselves, so RELAX compares relative to the distances.
+    float difference = abs(other - centre) / (kIsRelax ? other + centre + kEps : 1.0);
+    return w.minHitDist + heavy(difference * w.hitDist);
 }
 
 vec2 rotateTap(vec4 rotator, vec2 offset) { return offset.x * rotator.xy + offset.y * rotator.zw; }

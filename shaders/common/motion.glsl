@@ -1,7 +1,7 @@
 // Motion: where a surface was, on screen and in space.
 #ifndef MOTION_GLSL
 #define MOTION_GLSL
-#include "reblur.glsl"
+#include "denoiser.glsl"
 
 struct Motion
 {

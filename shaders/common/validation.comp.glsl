@@ -83,7 +83,7 @@ vec4 virtualAmountColor(ivec2 pixel)
 vec4 lengthColor(View v, int channel)
 {
     if (!hasHistory()) return kNothing;
-    float maxLength = max(g.maxAccumulatedFrameNum, 1.0);
+    float maxLength = max(max(g.maxAccumulatedFrameNum.x, g.maxAccumulatedFrameNum.y), 1.0);
     vec4 color = kBlack;
     if (isShown(v.source))
     {
@@ -95,7 +95,7 @@ vec4 lengthColor(View v, int channel)
     if (v.pixel.y >= barTop) return vec4(rainbow(v.uv.x), 1.0);
     int scale = textScale(v);
     int textTop = barTop - (kGlyphSize.y + 1) * scale;
-    uint number = uint(g.maxAccumulatedFrameNum);
+    uint number = uint(max(g.maxAccumulatedFrameNum.x, g.maxAccumulatedFrameNum.y));
     int digitNum = number >= 10u ? 2 : 1;
     drawNumber(v, 0u, ivec2(scale, textTop), color);
     drawNumber(v, number, ivec2(int(v.size.x) - kAdvance * digitNum * scale, textTop), color);
@@ -112,6 +112,12 @@ vec4 hitDistColor(texture2D signal, texture2D second, ivec2 pixel)
     bool isFinite = NRD_IsRadianceFinite(value.xyz);
     if (kIsSh) isFinite = isFinite && NRD_IsRadianceFinite(texelFetch(second, texel, 0).xyz);
     float hitDist = kIsOcclusion ? value.x : value.w;
+    // World units, shown over the length that REBLUR takes for open.
+    if (kIsRelax)
+    {
+        float viewZ = decodeViewZ(texelFetch(gIn_ViewZ, guideTexel(pixel), 0).x);
+        hitDist = REBLUR_FrontEnd_GetNormHitDist(hitDist, viewZ, g.hitDistanceParameters.xyz, 1.0);
+    }
     if (!isFinite) return kMagenta;
     return hitDist == 0.0 ? kRed : greyOf(hitDist);
 }

@@ -53,6 +53,9 @@ layout(set = SET_RESOURCES, binding = FIRST_OUT + 2 * LOBE_NUM - 1) uniform writ
 #endif
 layout(set = SET_RESOURCES, binding = FIRST_SCALAR_OUT + 2 + 2 * IS_STABILIZED + HAS_TRACK)
 uniform writeonly image2D gOut_VirtualAmount;
+#if IS_RELAX
+layout(set = SET_RESOURCES, binding = FIRST_SCALAR_OUT + 4) uniform writeonly image2D gOut_Confidence;
+#endif
 #endif
 layout(set = SET_RESOURCES, binding = FIRST_SCALAR) uniform texture2D gIn_Fast;
 layout(set = SET_RESOURCES, binding = FIRST_SCALAR_OUT) uniform writeonly image2D gOut_Fast;
@@ -70,6 +73,7 @@ struct LobeResult
 {
     float n; // frames behind the new sample
     float fast;
+    float noisy; // luma of the new sample
     float stabHistory;
     float stabWeight;
 };
@@ -90,8 +94,9 @@ LobeResult accumulateDiffuse(Surface s, SurfaceTrack surface)
     float share = dataShare(s.pixel, false, result.n);
     storeSignal(gOut_Diffuse, gOut_DiffuseSh, s.pixel, mixHistory(history, signal, result.n, share, 1.0));
     float fastHistory = fetchBilinear(gIn_Fast, read.origin, read.weights, lastPrevTexel()).x;
-    float fastWeight = newSampleWeight(min(result.n, g.maxFastAccumulatedFrameNum)) * share;
+    float fastWeight = newSampleWeight(min(result.n, g.maxFastAccumulatedFrameNum.x)) * share;
     result.fast = limitFast(mixFast(fastHistory, luma(signal), fastWeight), luma(history), result.n);
+    result.noisy = luma(signal);
     result.stabHistory = readStabilized(0, read);
     result.stabWeight = isHistoryReset() ? 0.0 : sqrt(saturate(dot(surface.weights, vec4(1.0))));
     return result;
@@ -113,7 +118,7 @@ void main()
     Surface s = makeSurface(pixel);
     if (!isInRange(s.viewZ)) return;
     SurfaceTrack surface = trackSurface(s, readMotion(gIn_Motion, gIn_ViewZ, pixel));
-    LobeResult diffuse = LobeResult(0.0, 0.0, 0.0, 0.0), specular = diffuse;
+    LobeResult diffuse = LobeResult(0.0, 0.0, 0.0, 0.0, 0.0), specular = diffuse;
 #if HAS_DIFFUSE
     diffuse = accumulateDiffuse(s, surface);
 #endif
@@ -121,6 +126,7 @@ void main()
     specular = accumulateSpecular(s, surface);
 #endif
     vec4 fast = packScalars(diffuse.fast, specular.fast);
+    if (kIsRelax) fast = packPairs(vec2(diffuse.fast, diffuse.noisy), vec2(specular.fast, specular.noisy));
     imageStore(gOut_Fast, pixel, kIsBounded ? fast : roundToHalf(fast));
     vec2 lengths = packScalars(diffuse.n, specular.n).xy;
     imageStore(gOut_Length, pixel, vec4(packLengths(lengths), 0.0, 0.0));

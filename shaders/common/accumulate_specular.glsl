@@ -84,7 +84,7 @@ float surfaceConfidence(Surface s, SurfaceTrack track, float roughness, float no
     float weight = newSampleWeight(track.n[kSpecularChannel]);
     vec2 uv = clamp(track.uv, 0.0, 1.0) * g.rectSizePrev * g.resourceSizeInvPrev;
     float history = decodeValue(textureLod(sampler2D(gIn_SpecularHistory, gLinearClamp), uv, 0.0)).w;
-    float mixed = weight == 1.0 ? normHitDist : mix(history, normHitDist, weight);
+    float mixed = weight == 1.0 || kIsRelax ? normHitDist : mix(history, normHitDist, weight);
     float hitDist = getHitDist(mixed, s.viewZ, s.guide.roughness);
     float factor = hitDistFactor(hitDist, s.frustumSize);
     float tangent = lobeTangent(roughness, 0.75) * mix(s.NoV, 1.0, roughness) * weight / (factor + kEps);
@@ -99,7 +99,7 @@ float responsiveLength(float roughness, float NoN)
     float response = smooth01(max(roughness, 1e-3) / max(g.responsiveRoughnessThreshold, 1e-3));
     float spread = NRD_GetLobeSpread(roughness, 0.25);
     float f = mix(spread, 1.0, response) * pow(saturate(NoN) + kEps, mix(32.0, 1.0, spread) * (1.0 - response));
-    return max(g.maxAccumulatedFrameNum * f, g.responsiveMinFrameNum);
+    return max(g.maxAccumulatedFrameNum.y * f, g.responsiveMinFrameNum);
 }
 
 // Amount of the virtual track in [0; 1]: it wins ties, the surface must be clearly longer to win.
@@ -154,7 +154,7 @@ SpecularLengths measureLengths(Surface s, SurfaceTrack surface, VirtualTrack ima
                            responsiveLength(roughness, image.NoN));
     SpecularLengths lengths;
     lengths.trust = vec2(surfaceConfidence(s, surface, roughness, normHitDist, motion), image.confidence);
-    n = min(n, g.maxAccumulatedFrameNum * lengths.trust);
+    n = min(n, g.maxAccumulatedFrameNum.y * lengths.trust);
     // Responsiveness alone must not trigger the history fix, so the length that is passed on is capped more mildly.
     lengths.nFix = min(n, max(responsive, vec2(g.historyFixFrameNum)));
     lengths.n = min(n, responsive);
@@ -164,9 +164,9 @@ SpecularLengths measureLengths(Surface s, SurfaceTrack surface, VirtualTrack ima
 // The weight of a new sample in the short history, which distrusts what neither track vouches for.
 float specularFastWeight(Surface s, float n, float trust, float share)
 {
-    float longest = g.maxFastAccumulatedFrameNum;
+    float longest = g.maxFastAccumulatedFrameNum.y;
     if (kHasMaterialTest && s.guide.materialID == g.strandMaterialID)
-        longest = max(longest, g.maxAccumulatedFrameNum * 0.2);
+        longest = max(longest, g.maxAccumulatedFrameNum.y * 0.2);
     return max(1.0 - trust, newSampleWeight(min(n, longest)) * share);
 }
 
@@ -195,10 +195,18 @@ LobeResult accumulateSpecular(Surface s, SurfaceTrack surface)
     if (!isValid) signal = history;
     float share = dataShare(s.pixel, true, n);
     Signal mixed = mixHistory(history, signal, n, share, s.guide.roughness);
+#if IS_RELAX
+    float confidence = mix(lengths.trust.x, lengths.trust.y, amount);
+    imageStore(gOut_Confidence, s.pixel, vec4(confidence));
+    // No variance yet is no certainty.
+    if (mixed.value.w == 0.0)
+        mixed.value.w = min(g.relaxVarianceBoost * (1.0 - confidence) / max(square(luma(mixed)), 1e-12), NRD_FP16_MAX);
+#endif
     storeSignal(gOut_Specular, gOut_SpecularSh, s.pixel, mixed);
     float fastHistory = fetchBilinear(gIn_Fast, read.origin, read.weights, lastPrevTexel())[kSpecularChannel];
     float fastWeight = specularFastWeight(s, n, mix(lengths.trust.x, lengths.trust.y, amount), share);
     result.fast = limitFast(mixFast(fastHistory, luma(signal), fastWeight), luma(history), n);
+    result.noisy = luma(signal);
     result.stabHistory = readStabilized(kSpecularChannel, read);
     float valid = mix(dot(surface.weights, vec4(1.0)), dot(image.weights, vec4(1.0)), amount);
     result.stabWeight = isHistoryReset() ? 0.0 : sqrt(saturate(valid));

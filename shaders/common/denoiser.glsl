@@ -1,9 +1,9 @@
-// Shared by the REBLUR passes: constants, permutation switches, reading of guides, and the factors of the method.
-#ifndef REBLUR_GLSL
-#define REBLUR_GLSL
+// Shared by the passes of REBLUR and RELAX: constants, permutation switches, reading of guides, and the factors of the method.
+#ifndef DENOISER_GLSL
+#define DENOISER_GLSL
 #include "variant.glsl"
 #include "bindings.h"
-#include "reblur_constants.h"
+#include "denoiser_constants.h"
 #include "math.glsl"
 #include "geometry.glsl"
 #include "nrd_frontend.glsl"
@@ -17,7 +17,7 @@ layout(constant_id = SPEC_HAS_CONFIDENCE) const bool kHasConfidence = false;
 layout(constant_id = SPEC_HAS_DISOCCLUSION_MIX) const bool kHasDisocclusionMix = false;
 layout(constant_id = SPEC_HAS_ANTI_FIREFLY) const bool kHasAntiFirefly = true;
 
-layout(set = SET_CONSTANTS, binding = BINDING_CONSTANTS, std140) uniform Constants { ReblurConstants g; };
+layout(set = SET_CONSTANTS, binding = BINDING_CONSTANTS, std140) uniform Constants { DenoiserConstants g; };
 layout(set = SET_CONSTANTS, binding = BINDING_SAMPLERS) uniform sampler gNearestClamp;
 layout(set = SET_CONSTANTS, binding = BINDING_SAMPLERS + 1) uniform sampler gLinearClamp;
 
@@ -89,9 +89,10 @@ float convergence(float n)
 //----------------------------------------------------------------------------------------------------------------------
 // Signals
 
+// RELAX is given world units.
 float getHitDist(float normHitDist, float viewZ, float roughness)
 {
-    return REBLUR_GetHitDist(normHitDist, viewZ, g.hitDistanceParameters.xyz, roughness);
+    return kIsRelax ? normHitDist : REBLUR_GetHitDist(normHitDist, viewZ, g.hitDistanceParameters.xyz, roughness);
 }
 
 // The share of the screen the hit distance spans; near contacts it is 0 and every kernel collapses.
@@ -110,5 +111,7 @@ vec4 packScalars(float diffuse, float specular)
 {
     return LOBES == 2 ? vec4(specular) : vec4(diffuse, specular, 0.0, 0.0);
 }
+
+vec4 packPairs(vec2 diffuse, vec2 specular) { return LOBES == 2 ? vec4(specular, 0.0, 0.0) : vec4(diffuse, specular); }
 
 #endif

@@ -2,7 +2,7 @@
 // it where BLACK or WHITE says, specular on the others, and both change places with every frame.
 #ifndef CHECKERBOARD_GLSL
 #define CHECKERBOARD_GLSL
-#include "reblur.glsl"
+#include "denoiser.glsl"
 
 #define CHECKERBOARD_OFF 0u
 #define CHECKERBOARD_BLACK 1u

@@ -1,16 +1,18 @@
 // What a permutation denoises. LOBES: 1 diffuse, 2 specular, 3 both. SIGNAL: 0 radiance, 1 spherical harmonics,
-// 2 occlusion, 3 directional occlusion. The macros serve #if and bindings, the constants the code.
+// 2 occlusion, 3 directional occlusion of REBLUR; 4 radiance, 5 spherical harmonics of RELAX. The macros serve #if and bindings, the constants the code.
 #ifndef VARIANT_GLSL
 #define VARIANT_GLSL
 
 #define HAS_DIFFUSE (LOBES & 1)
 #define HAS_SPECULAR ((LOBES >> 1) & 1)
 #define LOBE_NUM (HAS_DIFFUSE + HAS_SPECULAR)
-#define IS_SH (SIGNAL & (1 - (SIGNAL >> 1)))
-#define IS_BOUNDED (SIGNAL >> 1)            // in [0; 1]: no fireflies, and the hit distance is the signal
-#define IS_STABILIZED (1 - IS_BOUNDED + (SIGNAL & IS_BOUNDED)) // all but occlusion
+#define IS_RELAX (SIGNAL >> 2)
+#define IS_BOUNDED ((SIGNAL >> 1) & 1) // in [0; 1]: no fireflies, and the hit distance is the signal
+#define IS_SH (SIGNAL & (1 - IS_BOUNDED) & 1)
+#define IS_STABILIZED ((1 - IS_RELAX) * (1 - IS_BOUNDED + (SIGNAL & IS_BOUNDED))) // REBLUR's, but for occlusion
 #define SIGNAL_NUM (LOBE_NUM * (1 + IS_SH)) // textures; the second ones of the lobes follow the first ones
 
+const bool kIsRelax = IS_RELAX == 1;
 const bool kIsSh = IS_SH == 1;
 const bool kIsBounded = IS_BOUNDED == 1;
 const bool kIsOcclusion = SIGNAL == 2;

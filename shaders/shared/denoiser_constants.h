@@ -1,10 +1,10 @@
-// One block for every REBLUR pass of a frame. World positions have their origin at the current camera.
-#ifndef REBLUR_CONSTANTS_H
-#define REBLUR_CONSTANTS_H
+// One block for every pass of REBLUR or RELAX in a frame. World positions have their origin at the current camera.
+#ifndef DENOISER_CONSTANTS_H
+#define DENOISER_CONSTANTS_H
 #include "shared_types.h"
 
 SHARED_BEGIN
-struct ReblurConstants
+struct DenoiserConstants
 {
     mat4 worldToClip;     // current, origin at the current camera
     mat4 worldToClipPrev; // previous camera, same origin
@@ -22,11 +22,18 @@ struct ReblurConstants
     vec4 rotatorPostBlur;
     vec4 hitDistanceParameters; // A, B, C, unused
     vec4 motionVectorScale;     // .w 1 = world space
+    vec4 relaxDoubt;      // by the application's confidence: multiplier, of the luma stop, of the normal stop; .w unused
+    vec4 relaxAntilag;    // acceleration, spatial sigma, temporal sigma, reset
     vec2 rectSize;        // pixels
     vec2 rectSizeInv;
     vec2 rectSizePrev;
     vec2 resourceSizeInv;     // 1 / size of the textures
     vec2 resourceSizeInvPrev;
+    vec2 relaxPhi;         // of the luma stops, diffuse and specular
+    vec2 relaxMaxLumaStop; // cap of their exponents
+    vec2 relaxEdgeRelaxation; // of the luma and the normal stop, by doubt about the reprojection
+    vec2 maxAccumulatedFrameNum; // diffuse, specular
+    vec2 maxFastAccumulatedFrameNum;
     vec2 convergence;     // s * b, s * (1 - b): e(n) = x + y * sat(n * convergenceLengthInv)
     ivec2 rectOrigin;     // of the guides, pixels
     ivec2 rectSizeMinusOne;
@@ -38,8 +45,6 @@ struct ReblurConstants
     float disocclusionThreshold; // jitter and slope bonus included
     float disocclusionThresholdAlternate;
     float planeDistanceSensitivity;
-    float maxAccumulatedFrameNum;
-    float maxFastAccumulatedFrameNum;
     float historyFixFrameNum;
     float minBlurRadius;
     float maxBlurRadius;
@@ -61,6 +66,14 @@ struct ReblurConstants
     float splitScreen;
     float splitScreenPrev;
     float strandThickness;
+    float relaxLobeAngle; // share of the lobe
+    float relaxLobeAngleSlack; // radians
+    float relaxDepthThreshold; // fraction of the depth
+    float relaxFixNormalPower;
+    float relaxViewRelaxation;
+    float relaxVarianceBoost;
+    float relaxSpatialVarianceFrameNum;
+    uint relaxRoughnessStop;  // 1: on
     uint strandMaterialID;
     uint cameraAttachedMaterialID;
     uint historyFixAlternateMaterialID;

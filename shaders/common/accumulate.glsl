@@ -140,23 +140,43 @@ float fireflyBlend(float n)
 
 float fireflyScale(float n) { return g.fireflyMinScale + kFireflyHeadroom / (n + 1.0); }
 
+Signal withoutVariance(Signal signal) { return Signal(vec4(signal.value.xyz, 0.0), signal.axis); }
+
+Signal limitLuma(Signal mixed, Signal history, float n)
+{
+    float Y = luma(mixed);
+    return changeLuma(mixed, mix(Y, min(Y, luma(history) * fireflyScale(n)), fireflyBlend(n)));
+}
+
+// RELAX: mean and variance of luma, the latter relative, so that no radiance overflows a half float.
+Signal mixMoments(Signal history, Signal signal, float n, float weight)
+{
+    float before = luma(history), now = luma(signal);
+    float variance = history.value.w * before * before;
+    Signal mixed = mixSignals(history, signal, weight, weight);
+    // Of a weighted mean of two groups; nothing large is subtracted.
+    variance = (1.0 - weight) * (variance + weight * square(now - before));
+    mixed.value.w = min(variance / max(square(luma(mixed)), 1e-12), NRD_FP16_MAX);
+    return limitLuma(mixed, history, n);
+}
+
 // Running mean up to the cap; share: of the new sample's weight. Hit distances react faster the more mirror-like the
 // lobe: they steer weights and tracking.
 Signal mixHistory(Signal history, Signal signal, float n, float share, float roughness)
 {
     // Selected: mix() with weight 1 may round differently for different histories, and none may show after a cut.
-    if (n == 0.0) return signal;
+    if (n == 0.0) return kIsRelax ? withoutVariance(signal) : signal;
     float weight = newSampleWeight(n) * share;
     float spread = NRD_GetLobeSpread(roughness, 0.25);
-    float hitDistWeight = max(weight, share / (1.0 + 0.5 * spread * g.maxAccumulatedFrameNum));
+    float hitDistWeight = max(weight, share / (1.0 + 0.5 * spread * g.maxAccumulatedFrameNum.x));
     if (kIsBounded) return mixSignals(history, signal, weight, weight);
+    if (kIsRelax) return mixMoments(history, signal, n, weight);
     Signal mixed = mixSignals(history, signal, weight, hitDistWeight);
     float blend = fireflyBlend(n);
-    float Y = luma(mixed);
     // An unknown distance in the history limits nothing.
     float maxHitDist = history.value.w > 0.0 ? history.value.w * (1.2 + 1.0 / (n + 1.0)) : 1.0;
     mixed.value.w = mix(mixed.value.w, min(mixed.value.w, maxHitDist), blend);
-    return changeLuma(mixed, mix(Y, min(Y, luma(history) * fireflyScale(n)), blend));
+    return limitLuma(mixed, history, n);
 }
 
 // The short history that is never blurred.

@@ -126,7 +126,7 @@ vec2 fetchLengths(ivec2 origin, vec4 weights)
     uvec4 words = gatherOrder(textureGather(usampler2D(gIn_PrevLength, gNearestClamp), uv));
     vec2 n = vec2(customBilinear(unpackLengthWords(words, 0), weights), 0.0);
     if (LOBE_NUM == 2) n.y = customBilinear(unpackLengthWords(words, 1), weights);
-    return isHistoryReset() ? vec2(0.0) : min(n, g.maxAccumulatedFrameNum);
+    return isHistoryReset() ? vec2(0.0) : min(n, LOBES == 2 ? g.maxAccumulatedFrameNum.yy : g.maxAccumulatedFrameNum);
 }
 
 SurfaceTrack trackSurface(Surface s, vec3 motion)

@@ -1,0 +1,219 @@
+// One step of the edge-avoiding wavelet (Dammertz et al. 2010), steered by variance (Schied et al. 2017). The first step
+// estimates the variance of short histories from their neighbourhood; the last one writes the outputs.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "spatial_filter.glsl"
+
+layout(constant_id = SPEC_STEP) const int kStep = 0;
+layout(constant_id = SPEC_IS_LAST) const bool kIsLast = false;
+
+layout(local_size_x = 8, local_size_y = 16) in;
+#define FIRST_SIGNAL (4 + LOBE_NUM + HAS_SPECULAR)
+#define FIRST_OUT (FIRST_SIGNAL + SIGNAL_NUM)
+layout(set = SET_RESOURCES, binding = 0) uniform texture2D gIn_Tiles;
+layout(set = SET_RESOURCES, binding = 1) uniform texture2D gIn_ViewZ;
+layout(set = SET_RESOURCES, binding = 2) uniform texture2D gIn_NormalRoughness;
+layout(set = SET_RESOURCES, binding = 3) uniform texture2D gIn_Length;
+#if HAS_DIFFUSE
+layout(set = SET_RESOURCES, binding = 4) uniform texture2D gIn_DiffuseConfidence;
+layout(set = SET_RESOURCES, binding = FIRST_SIGNAL) uniform texture2D gIn_Diffuse;
+layout(set = SET_RESOURCES, binding = FIRST_OUT) uniform writeonly image2D gOut_Diffuse;
+#if IS_SH
+layout(set = SET_RESOURCES, binding = FIRST_SIGNAL + LOBE_NUM) uniform texture2D gIn_DiffuseSh;
+layout(set = SET_RESOURCES, binding = FIRST_OUT + LOBE_NUM) uniform writeonly image2D gOut_DiffuseSh;
+#endif
+#endif
+#if HAS_SPECULAR
+layout(set = SET_RESOURCES, binding = 3 + LOBE_NUM) uniform texture2D gIn_SpecularConfidence;
+layout(set = SET_RESOURCES, binding = 4 + LOBE_NUM) uniform texture2D gIn_Confidence; // in the reprojection
+layout(set = SET_RESOURCES, binding = FIRST_SIGNAL + LOBE_NUM - 1) uniform texture2D gIn_Specular;
+layout(set = SET_RESOURCES, binding = FIRST_OUT + LOBE_NUM - 1) uniform writeonly image2D gOut_Specular;
+#if IS_SH
+layout(set = SET_RESOURCES, binding = FIRST_SIGNAL + 2 * LOBE_NUM - 1) uniform texture2D gIn_SpecularSh;
+layout(set = SET_RESOURCES, binding = FIRST_OUT + 2 * LOBE_NUM - 1) uniform writeonly image2D gOut_SpecularSh;
+#endif
+#endif
+
+const float kKernel[2] = float[](0.44198, 0.27901); // at distance 0 and 1
+
+struct Stops
+{
+    float normal;    // 1 / radians
+    float roughness; // 1 / roughness, 0 for diffuse
+    float plane;     // 1 / world units
+    float luma;      // 1 / luma
+    float maxLuma;   // cap of the exponent
+    float relax;     // of the luma stop
+};
+
+// Variance of what is stored, not of a sample: a mean of n samples has an n-th of it.
+float varianceOf(Signal s) { return s.value.w * square(luma(s)); }
+
+vec3 tapPosition(ivec2 pixel, float viewZ)
+{
+    return reconstructViewPosition(pixelUv(pixel), g.frustum, viewZ, g.cameraDelta.w);
+}
+
+float tapWeight(Pixel p, Lobe lobe, bool isSpecular, ivec2 pixel, Stops stops)
+{
+    float viewZ = decodeViewZ(texelFetch(gIn_ViewZ, guideTexel(pixel), 0).x);
+    Guide guide = decodeGuide(texelFetch(gIn_NormalRoughness, guideTexel(pixel), 0));
+    if (!isInRange(viewZ) || !isSameMaterial(p.guide.materialID, guide.materialID, lobe.minMaterial)) return 0.0;
+    vec3 Xv = tapPosition(pixel, viewZ);
+    float weight = soft(abs(dot(p.Nv, Xv - p.Xv)) * stops.plane);
+    float cosine = dot(p.guide.N, guide.N);
+    // What is reflected changes with the view as well; seen from farther back, it changes less.
+    if (isSpecular && g.cameraDelta.w == 0.0)
+        cosine = min(cosine, dot(p.Vv, -normalize(Xv + g.relaxViewRelaxation * p.Xv)));
+    weight *= soft(acosApprox(cosine) * stops.normal);
+    if (isSpecular) weight *= soft(abs(guide.roughness - p.guide.roughness) * stops.roughness);
+    return weight;
+}
+
+float lumaStop(float centre, float other, Stops stops)
+{
+    return exp(-min(abs(other - centre) * stops.luma, stops.maxLuma) * stops.relax);
+}
+
+// Of the centre; smoothed over 3x3, since a variance of few samples is noise itself.
+float smoothedVariance(texture2D t, ivec2 position)
+{
+    float sum = 0.0, weightSum = 0.0;
+    for (int i = 0; i < 9; i++)
+    {
+        ivec2 offset = ivec2(i % 3, i / 3) - 1;
+        ivec2 pixel = clampToRect(position + offset);
+        if (!isInRange(decodeViewZ(texelFetch(gIn_ViewZ, guideTexel(pixel), 0).x))) continue;
+        vec4 stored = texelFetch(t, pixel, 0);
+        float weight = 1.0 / float(1 << (abs(offset.x) + abs(offset.y)));
+        sum += stored.w * stored.x * stored.x * weight;
+        weightSum += weight;
+    }
+    return sum / max(weightSum, kEps);
+}
+
+// Too few frames for a variance over time: one over 5x5 pixels, raised for what so few may miss.
+float spatialVariance(texture2D t, Pixel p, Lobe lobe, bool isSpecular, ivec2 position, Stops stops)
+{
+    float mean = 0.0, square_ = 0.0, weightSum = 0.0;
+    for (int i = 0; i < 25; i++)
+    {
+        ivec2 pixel = clampToRect(position + ivec2(i % 5, i / 5) - 2);
+        float weight = tapWeight(p, lobe, isSpecular, pixel, stops);
+        float Y = weight > 0.0 ? texelFetch(t, pixel, 0).x : 0.0;
+        mean += Y * weight;
+        square_ += Y * Y * weight;
+        weightSum += weight;
+    }
+    mean /= max(weightSum, kEps);
+    return max(square_ / max(weightSum, kEps) - mean * mean, 0.0);
+}
+
+// doubt: the application's about the history, [0; 1].
+Stops makeStops(Pixel p, Lobe lobe, bool isSpecular, float n, float confidence, float doubt)
+{
+    float step = float(1 << kStep);
+    float share = (kIsSh ? 1.0 : g.relaxLobeAngle) / sqrt(step);
+    share = mix(share, 0.99, saturate(doubt * g.relaxDoubt.z));
+    // Short histories have more to gain from a wide cone than to lose.
+    float settled = saturate(n / 5.0);
+    Stops stops;
+    float cone = isSpecular ? atan(lobeTangent(lobe.roughness, g.relaxLobeAngle)) * (10.0 - 9.0 * settled *
+                                  mix(1.0, confidence, g.relaxEdgeRelaxation.y)) + g.relaxLobeAngleSlack
+                            : atan(lobeTangent(1.0, mix(0.99, share, settled)));
+    stops.normal = 1.0 / clamp(cone, normalEncodingError(kNormalEncoding), 1.5708);
+    float admissible = mix(0.01, 1.0, saturate(lobe.roughness * g.roughnessFraction));
+    stops.roughness = isSpecular && g.relaxRoughnessStop != 0u ? 1.0 / admissible : 0.0;
+    stops.plane = 1.0 / (g.relaxDepthThreshold * p.viewZ);
+    stops.maxLuma = isSpecular ? g.relaxMaxLumaStop.y : g.relaxMaxLumaStop.x;
+    stops.relax = isSpecular && kStep <= 2 ? mix(1.0, confidence, g.relaxEdgeRelaxation.x) : 1.0;
+    stops.relax *= 1.0 - saturate(doubt * g.relaxDoubt.y);
+    stops.luma = 0.0;
+    return stops;
+}
+
+// White noise breaks the ringing that a lattice with gaps leaves.
+ivec2 jitter(ivec2 position)
+{
+    int step = 1 << kStep;
+    if (step <= 4) return ivec2(0);
+    uint seed = seedPixel(position, g.frameIndex + uint(kStep));
+    vec2 u = vec2(nextRandom(seed), nextRandom(seed));
+    return ivec2(float(step) * (u - 0.5) * 0.5);
+}
+
+float doubtOf(texture2D confidences, vec2 uv)
+{
+    if (!kHasConfidence) return 0.0;
+    float given = textureLod(sampler2D(confidences, gLinearClamp), uv, 0.0).x;
+    return saturate(g.relaxDoubt.x * (1.0 - given));
+}
+
+Signal filterLobe(texture2D t, texture2D second, Pixel p, Lobe lobe, bool isSpecular, ivec2 position, float n,
+                  Stops stops)
+{
+    Signal centre = readSignal(t, second, position);
+    float variance = varianceOf(centre);
+    if (kStep == 0)
+    {
+        bool isShort = n + 1.0 < g.relaxSpatialVarianceFrameNum;
+        variance = isShort ? spatialVariance(t, p, lobe, isSpecular, position, stops) * max(1.0, 4.0 / (n + 2.0))
+                           : smoothedVariance(t, position);
+    }
+    float phi = isSpecular ? g.relaxPhi.y : g.relaxPhi.x;
+    stops.luma = 1.0 / max(phi * sqrt(variance), 1e-4 * luma(centre) + 1e-7);
+    ivec2 shift = jitter(position);
+    float own = kKernel[0] * kKernel[0];
+    Signal sum = scaled(centre, own);
+    float varianceSum = variance * own * own, weightSum = own;
+    for (int i = 0; i < 9; i++)
+    {
+        ivec2 offset = ivec2(i % 3, i / 3) - 1;
+        ivec2 pixel = position + offset * (1 << kStep) + shift;
+        if (i == 4 || clampToRect(pixel) != pixel) continue;
+        float weight = kKernel[abs(offset.x)] * kKernel[abs(offset.y)] * tapWeight(p, lobe, isSpecular, pixel, stops);
+        if (!(weight > 1e-4)) continue;
+        Signal value = readSignal(t, second, pixel);
+        weight *= lumaStop(luma(centre), luma(value), stops);
+        float tapVariance = kStep == 0 ? variance : varianceOf(value);
+        sum = addWeighted(sum, value, weight);
+        varianceSum += tapVariance * weight * weight;
+        weightSum += weight;
+    }
+    Signal result = scaled(sum, 1.0 / weightSum);
+    variance = varianceSum / (weightSum * weightSum);
+    result.value.w = min(variance / max(square(luma(result)), 1e-12), NRD_FP16_MAX);
+    return result;
+}
+
+void store(writeonly image2D t, writeonly image2D second, ivec2 position, Signal signal, float n)
+{
+    if (kIsLast)
+        storeOutput(t, second, position, signal, n);
+    else
+        storeSignal(t, second, position, signal);
+}
+
+void main()
+{
+    ivec2 position = ivec2(gl_GlobalInvocationID.xy);
+    if (!isInRect(position) || texelFetch(gIn_Tiles, position / TILE_SIZE, 0).x > 0.5) return;
+    float viewZ = decodeViewZ(texelFetch(gIn_ViewZ, guideTexel(position), 0).x);
+    if (!isInRange(viewZ)) return;
+    Pixel p = makePixel(position, viewZ, decodeGuide(texelFetch(gIn_NormalRoughness, guideTexel(position), 0)));
+    vec2 n = unpackLengths(texelFetch(gIn_Length, position, 0).xy);
+#if HAS_DIFFUSE
+    Lobe diffuse = Lobe(1.0, g.minMaterialForDiffuse, 0.0);
+    Stops diffuseStops = makeStops(p, diffuse, false, n.x, 1.0, doubtOf(gIn_DiffuseConfidence, p.uv));
+    store(gOut_Diffuse, gOut_DiffuseSh, position,
+          filterLobe(gIn_Diffuse, gIn_DiffuseSh, p, diffuse, false, position, n.x, diffuseStops), n.x);
+#endif
+#if HAS_SPECULAR
+    Lobe specular = Lobe(p.guide.roughness, g.minMaterialForSpecular, 0.0);
+    float nSpecular = n[kSpecularChannel];
+    float confidence = texelFetch(gIn_Confidence, position, 0).x;
+    Stops stops = makeStops(p, specular, true, nSpecular, confidence, doubtOf(gIn_SpecularConfidence, p.uv));
+    store(gOut_Specular, gOut_SpecularSh, position,
+          filterLobe(gIn_Specular, gIn_SpecularSh, p, specular, true, position, nSpecular, stops), nSpecular);
+#endif
+}

@@ -1,0 +1,233 @@
+// Fills pixels with a short history from a wide sparse neighbourhood, bounds the long history by statistics of the short
+// one, and antilag: both move towards the noisy present where they disagree with it by more than noise explains.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "spatial_filter.glsl"
+
+layout(local_size_x = 8, local_size_y = 16) in;
+layout(set = SET_RESOURCES, binding = 0) uniform texture2D gIn_Tiles;
+layout(set = SET_RESOURCES, binding = 1) uniform texture2D gIn_ViewZ;
+layout(set = SET_RESOURCES, binding = 2) uniform texture2D gIn_NormalRoughness;
+layout(set = SET_RESOURCES, binding = 3) uniform texture2D gIn_Length;
+#define FIRST_OUT (5 + SIGNAL_NUM)
+#if HAS_DIFFUSE
+layout(set = SET_RESOURCES, binding = 4) uniform texture2D gIn_Diffuse;
+layout(set = SET_RESOURCES, binding = FIRST_OUT) uniform writeonly image2D gOut_Diffuse;
+#if IS_SH
+layout(set = SET_RESOURCES, binding = 4 + LOBE_NUM) uniform texture2D gIn_DiffuseSh;
+layout(set = SET_RESOURCES, binding = FIRST_OUT + LOBE_NUM) uniform writeonly image2D gOut_DiffuseSh;
+#endif
+#endif
+#if HAS_SPECULAR
+layout(set = SET_RESOURCES, binding = 3 + LOBE_NUM) uniform texture2D gIn_Specular;
+layout(set = SET_RESOURCES, binding = FIRST_OUT + LOBE_NUM - 1) uniform writeonly image2D gOut_Specular;
+#if IS_SH
+layout(set = SET_RESOURCES, binding = 3 + 2 * LOBE_NUM) uniform texture2D gIn_SpecularSh;
+layout(set = SET_RESOURCES, binding = FIRST_OUT + 2 * LOBE_NUM - 1) uniform writeonly image2D gOut_SpecularSh;
+#endif
+#endif
+layout(set = SET_RESOURCES, binding = 4 + SIGNAL_NUM) uniform texture2D gIn_Fast; // per lobe: fast, noisy
+layout(set = SET_RESOURCES, binding = FIRST_OUT + SIGNAL_NUM) uniform writeonly image2D gOut_Fast;
+layout(set = SET_RESOURCES, binding = FIRST_OUT + SIGNAL_NUM + 1) uniform writeonly uimage2D gOut_PrevLength;
+layout(set = SET_RESOURCES, binding = FIRST_OUT + SIGNAL_NUM + 2) uniform writeonly image2D gOut_PrevViewZ;
+layout(set = SET_RESOURCES, binding = FIRST_OUT + SIGNAL_NUM + 3) uniform writeonly image2D gOut_PrevNormalRoughness;
+
+const int kRadius = 2;
+const ivec2 kHalo = ivec2(8 + 2 * kRadius, 16 + 2 * kRadius);
+const float kInvalid = -1.0; // lumas are not negative
+
+shared vec4 sLumas[kHalo.y][kHalo.x]; // fast and noisy of one lobe, then of the other
+
+void loadLumas(ivec2 group)
+{
+    for (int i = int(gl_LocalInvocationIndex); i < kHalo.x * kHalo.y; i += 128)
+    {
+        ivec2 local = ivec2(i % kHalo.x, i / kHalo.x);
+        ivec2 pixel = group + local - kRadius;
+        ivec2 inside = clampToRect(pixel);
+        bool isUsed = pixel == inside && isInRange(decodeViewZ(texelFetch(gIn_ViewZ, guideTexel(inside), 0).x));
+        sLumas[local.y][local.x] = isUsed ? texelFetch(gIn_Fast, inside, 0) : vec4(kInvalid);
+    }
+}
+
+struct Moments
+{
+    vec4 mean;
+    vec4 sigma;
+};
+
+// 5x5; what is out of range counts as the centre. Two passes: a variance from sums of squares has no digits left on
+// bright flat walls.
+Moments measureLumas()
+{
+    ivec2 local = ivec2(gl_LocalInvocationID.xy);
+    vec4 centre = sLumas[local.y + kRadius][local.x + kRadius];
+    vec4 mean = vec4(0.0), variance = vec4(0.0);
+    for (int i = 0; i < 25; i++)
+    {
+        vec4 value = sLumas[local.y + i / 5][local.x + i % 5];
+        mean += value.x == kInvalid ? vec4(0.0) : value - centre;
+    }
+    mean = centre + mean / 25.0;
+    for (int i = 0; i < 25; i++)
+    {
+        vec4 value = sLumas[local.y + i / 5][local.x + i % 5];
+        vec4 difference = (value.x == kInvalid ? centre : value) - mean;
+        variance += difference * difference;
+    }
+    return Moments(mean, sqrt(variance / 25.0));
+}
+
+ivec2 mirrorPixel(ivec2 pixel)
+{
+    pixel = abs(pixel);
+    return clampToRect(min(pixel, 2 * g.rectSizeMinusOne - pixel));
+}
+
+float fixTapWeight(Pixel p, Lobe lobe, bool isSpecular, ivec2 pixel, Weights w)
+{
+    float viewZ = decodeViewZ(texelFetch(gIn_ViewZ, guideTexel(pixel), 0).x);
+    Guide guide = decodeGuide(texelFetch(gIn_NormalRoughness, guideTexel(pixel), 0));
+    if (!isInRange(viewZ) || !isSameMaterial(p.guide.materialID, guide.materialID, lobe.minMaterial)) return 0.0;
+    vec3 Xv = reconstructViewPosition(pixelUv(pixel), g.frustum, viewZ, g.cameraDelta.w);
+    float weight = soft(abs(dot(p.Nv, Xv - p.Xv)) * w.plane);
+    if (!isSpecular) return weight * pow(max(dot(p.guide.N, guide.N), 0.01), g.relaxFixNormalPower);
+    weight *= heavy(acosApprox(dot(p.guide.N, guide.N)) * w.normal);
+    return weight * soft(abs(guide.roughness - p.guide.roughness) * w.roughness);
+}
+
+// Strides of 7, 5, 4, 3 pixels for histories of 1 to 4 frames.
+Signal fixHistory(texture2D t, texture2D second, Pixel p, Lobe lobe, bool isSpecular, ivec2 position, float n)
+{
+    Signal centre = readSignal(t, second, position);
+    if (n >= g.historyFixFrameNum) return centre;
+    bool isAlternate = kHasMaterialTest && p.guide.materialID == g.historyFixAlternateMaterialID;
+    float base = isAlternate ? g.historyFixAlternateStride : g.historyFixStride;
+    int stride = int(base / (2.0 + n) + 0.5);
+    Weights w = makeWeights(p, lobe, isSpecular, 1.0, 1.0, 0.0);
+    int channel = isSpecular ? kSpecularChannel : 0;
+    Signal sum = scaled(centre, 1.0 + n);
+    float weightSum = 1.0 + n;
+    for (int i = 0; i < 25; i++)
+    {
+        if (i == 12) continue;
+        ivec2 pixel = mirrorPixel(position + (ivec2(i % 5, i / 5) - 2) * stride);
+        float weight = fixTapWeight(p, lobe, isSpecular, pixel, w);
+        weight *= 1.0 + unpackLengths(texelFetch(gIn_Length, pixel, 0).xy)[channel];
+        sum = addWeighted(sum, readSignal(t, second, pixel), weight);
+        weightSum += weight > 0.0 ? weight : 0.0; // not NaN
+    }
+    return scaled(sum, 1.0 / weightSum);
+}
+
+// Rank-conditioned rank selection over 3x3: what is brighter, or darker, than all of its like is an outlier.
+Signal suppressFirefly(texture2D t, Pixel p, Lobe lobe, ivec2 position, Signal signal)
+{
+    float low = 1e30, high = -1.0;
+    for (int i = 0; i < 9; i++)
+    {
+        ivec2 pixel = position + ivec2(i % 3, i / 3) - 1;
+        if (i == 4 || clampToRect(pixel) != pixel) continue;
+        float viewZ = decodeViewZ(texelFetch(gIn_ViewZ, guideTexel(pixel), 0).x);
+        Guide guide = decodeGuide(texelFetch(gIn_NormalRoughness, guideTexel(pixel), 0));
+        vec3 Xv = reconstructViewPosition(pixelUv(pixel), g.frustum, viewZ, g.cameraDelta.w);
+        bool isLike = isInRange(viewZ) && dot(guide.N, p.guide.N) > 0.99 &&
+                      abs(dot(p.Nv, Xv - p.Xv)) < g.planeDistanceSensitivity * p.frustumSize &&
+                      isSameMaterial(p.guide.materialID, guide.materialID, lobe.minMaterial);
+        if (!isLike) continue;
+        float Y = texelFetch(t, pixel, 0).x;
+        low = min(low, Y);
+        high = max(high, Y);
+    }
+    return high < 0.0 ? signal : changeLuma(signal, clamp(luma(signal), low, high));
+}
+
+struct Lumas
+{
+    float slow;
+    float fast;
+};
+
+float moveTowards(float value, float target, float amount)
+{
+    return value + clamp(target - value, -amount, amount);
+}
+
+// The share of the way from the slow to the fast history that clamping took.
+float pullOf(float slow, float clamped, float fast)
+{
+    float way = fast - slow;
+    return abs(way) > kEps ? saturate((clamped - slow) / way) : 0.0;
+}
+
+Lumas bound(int lobe, bool isSpecular, float slow, Moments m)
+{
+    ivec2 local = ivec2(gl_LocalInvocationID.xy) + kRadius;
+    float fast = sLumas[local.y][local.x][2 * lobe], noisy = sLumas[local.y][local.x][2 * lobe + 1];
+    float mean = m.mean[2 * lobe], sigma = m.sigma[2 * lobe] * g.fastClampSigmaScale;
+    // Widened to the centre's own fast value, which keeps bright details alive.
+    float clamped = clamp(slow, min(mean - sigma, fast), max(mean + sigma, fast));
+    int i = isSpecular ? 1 : 0;
+    if (g.maxFastAccumulatedFrameNum[i] >= g.maxAccumulatedFrameNum[i]) clamped = slow; // nothing to bound it with
+    float pull = pullOf(slow, clamped, fast);
+
+    float present = m.mean[2 * lobe + 1];
+    float push = 10.0 * g.relaxAntilag.x * abs(fast - slow) * pull * (isSpecular ? 0.33 : 1.0);
+    Lumas result = Lumas(moveTowards(clamped, present, push), moveTowards(fast, present, push));
+
+    float noise = g.relaxAntilag.y * m.sigma[2 * lobe] + g.relaxAntilag.z * m.sigma[2 * lobe + 1];
+    float excess = max(abs(result.slow - present) - noise, 0.0);
+    float amount = saturate(g.relaxAntilag.w * excess / (kEps + max(result.slow, present) + noise));
+    amount *= isSpecular ? 0.5 : 1.0;
+    return Lumas(mix(result.slow, noisy, amount), mix(result.fast, noisy, amount));
+}
+
+// Returns the fast history to keep. The variance stays while the mean moves.
+float boundSignal(inout Signal signal, int lobe, bool isSpecular, float n, Moments m)
+{
+    float slow = luma(signal);
+    if (n < g.historyFixFrameNum) return slow; // what was just filled in is the best there is
+    Lumas lumas = bound(lobe, isSpecular, slow, m);
+    float variance = signal.value.w * slow * slow;
+    signal = changeLuma(signal, lumas.slow);
+    signal.value.w = min(variance / max(square(lumas.slow), 1e-12), NRD_FP16_MAX);
+    return lumas.fast;
+}
+
+void main()
+{
+    ivec2 group = ivec2(gl_WorkGroupID.xy) * ivec2(8, 16);
+    ivec2 position = ivec2(gl_GlobalInvocationID.xy);
+    bool isInside = isInRect(position);
+    float storedViewZ = texelFetch(gIn_ViewZ, guideTexel(clampToRect(position)), 0).x;
+    // Copied before any exit: a stale depth in sky would let the next frame accept garbage.
+    if (isInside) imageStore(gOut_PrevViewZ, position, vec4(storedViewZ));
+    if (texelFetch(gIn_Tiles, group / TILE_SIZE, 0).x > 0.5) return; // the same for the whole group
+    loadLumas(group);
+    barrier();
+    float viewZ = decodeViewZ(storedViewZ);
+    if (!isInside || !isInRange(viewZ)) return;
+    vec4 packedGuide = texelFetch(gIn_NormalRoughness, guideTexel(position), 0);
+    imageStore(gOut_PrevNormalRoughness, position, packedGuide);
+    Pixel p = makePixel(position, viewZ, decodeGuide(packedGuide));
+    vec2 n = unpackLengths(texelFetch(gIn_Length, position, 0).xy);
+    Moments m = measureLumas();
+    vec2 fast = vec2(0.0);
+#if HAS_DIFFUSE
+    Lobe diffuseLobe = Lobe(1.0, g.minMaterialForDiffuse, 0.0);
+    Signal diffuse = fixHistory(gIn_Diffuse, gIn_DiffuseSh, p, diffuseLobe, false, position, n.x);
+    if (kHasAntiFirefly) diffuse = suppressFirefly(gIn_Diffuse, p, diffuseLobe, position, diffuse);
+    fast.x = boundSignal(diffuse, 0, false, n.x, m);
+    storeSignal(gOut_Diffuse, gOut_DiffuseSh, position, diffuse);
+#endif
+#if HAS_SPECULAR
+    const int c = kSpecularChannel;
+    Lobe specularLobe = Lobe(p.guide.roughness, g.minMaterialForSpecular, 0.0);
+    Signal specular = fixHistory(gIn_Specular, gIn_SpecularSh, p, specularLobe, true, position, n[c]);
+    if (kHasAntiFirefly) specular = suppressFirefly(gIn_Specular, p, specularLobe, position, specular);
+    fast[c] = boundSignal(specular, c, true, n[c], m);
+    storeSignal(gOut_Specular, gOut_SpecularSh, position, specular);
+#endif
+    imageStore(gOut_Fast, position, roundToHalf(vec4(fast, 0.0, 0.0)));
+    imageStore(gOut_PrevLength, position, uvec4(packLengthWord(n + 1.0)));
+}
