@@ -1,4 +1,4 @@
-// Every REBLUR denoiser with every option on awkward sizes: runs without a message, writes finite values where it
+// Every denoiser with every option on awkward sizes: runs without a message, writes finite values where it
 // should and nothing elsewhere, and comes closer to the truth than its input.
 #include "catch.h"
 #include "measures.h"
@@ -80,7 +80,7 @@ void runOption(Runner& runner, Setup setup, const Option& option, Tally& tally)
 
 void runOtherEncodings(size_t denoiserIndex, Tally& tally)
 {
-    const nrd::Denoiser denoiser = kReblurDenoisers[denoiserIndex];
+    const nrd::Denoiser denoiser = kDenoisers[denoiserIndex];
     using N = nrd::NormalEncoding;
     using R = nrd::RoughnessEncoding;
     const struct
@@ -106,18 +106,19 @@ void runOtherEncodings(size_t denoiserIndex, Tally& tally)
 
 TEST_CASE("every denoiser denoises with every option at every size", "[gpu]")
 {
-    for (size_t d = 0; d < std::size(kReblurDenoisers); d++)
+    for (size_t d = 0; d < std::size(kDenoisers); d++)
     {
-        const nrd::Denoiser denoiser = kReblurDenoisers[d];
+        const nrd::Denoiser denoiser = kDenoisers[d];
         Tally tally;
         Runner runner(denoiser);
-        for (size_t i = 0; i < allOptions().size(); i++)
+        const std::vector<Option>& options = allOptions(denoiser);
+        for (size_t i = 0; i < options.size(); i++)
         {
-            runOption(runner, makeSetup(denoiser, kOdd), allOptions()[i], tally);
-            if (i == 0 || isMeasured(d, i)) runOption(runner, makeSetup(denoiser, kLarge), allOptions()[i], tally);
+            runOption(runner, makeSetup(denoiser, kOdd), options[i], tally);
+            if (i == 0 || isMeasured(d, i)) runOption(runner, makeSetup(denoiser, kLarge), options[i], tally);
         }
         for (const glm::ivec2 size : {glm::ivec2(1, 1), glm::ivec2(3, 5)})
-            runOption(runner, makeSetup(denoiser, size), allOptions()[0], tally);
+            runOption(runner, makeSetup(denoiser, size), options[0], tally);
         const uint32_t pipelines = runner.pipelineCount();
         runOtherEncodings(d, tally);
         std::printf("FIGURE %s: %d combinations, %u pipelines, worst error %.3f of the input's (%s)\n",

@@ -153,7 +153,7 @@ double rmsDifference(const Result& a, const Result& b)
 TEST_CASE("one scene said in two ways gives the same bits, or nearly", "[gpu]")
 {
     std::vector<double> worst(std::size(kClose), 0.0);
-    for (const nrd::Denoiser denoiser : kReblurDenoisers)
+    for (const nrd::Denoiser denoiser : kDenoisers)
     {
         Runs run{denoiser};
         for (const Pair& pair : kExact)
