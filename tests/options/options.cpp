@@ -1,4 +1,5 @@
 #include "options.h"
+#include <cstdlib>
 #include <span>
 
 namespace options
@@ -218,6 +219,14 @@ const std::vector<Option>& allOptions(nrd::Denoiser denoiser)
     static const std::vector<Option> reblur = join({kSettings, kReblurSettings, kFrames, kInputs});
     static const std::vector<Option> relax = join({kSettings, kRelaxHistory, kRelaxWavelet, kFrames, kInputs});
     return isRelax(denoiser) ? relax : reblur;
+}
+
+bool isFull() { return std::getenv("NRD_TEST_FULL") != nullptr; }
+
+bool isRepresentative(nrd::Denoiser denoiser)
+{
+    return isFull() || !isRelax(denoiser) || denoiser == nrd::Denoiser::RELAX_DIFFUSE ||
+           denoiser == nrd::Denoiser::RELAX_SPECULAR || denoiser == nrd::Denoiser::RELAX_DIFFUSE_SPECULAR_SH;
 }
 
 Setup makeSetup(nrd::Denoiser denoiser, glm::ivec2 size)

@@ -23,6 +23,11 @@ constexpr nrd::Denoiser kDenoisers[] = {
     nrd::Denoiser::RELAX_DIFFUSE_SPECULAR_SH,
 };
 
+// What costs much runs for all REBLUR but three RELAX, which have all of its lobes and signals; NRD_TEST_FULL in the
+// environment asks for all.
+bool isFull();
+bool isRepresentative(nrd::Denoiser denoiser);
+
 struct Option
 {
     const char* name;

@@ -110,6 +110,7 @@ TEST_CASE("a checkerboard and a chosen lobe keep the mean, at a bounded cost", "
                                 {"one lobe a pixel", nrd::CheckerboardMode::OFF, true}};
     for (const nrd::Denoiser denoiser : kDenoisers)
     {
+        if (!isRepresentative(denoiser)) continue;
         Runner runner(denoiser);
         const Result full = runFrames(runner, preciseSetup(denoiser), kFrames);
         for (const Incomplete& kind : kinds)
