@@ -196,7 +196,8 @@ LobeResult accumulateSpecular(Surface s, SurfaceTrack surface)
     float share = dataShare(s.pixel, true, n);
     Signal mixed = mixHistory(history, signal, n, share, s.guide.roughness);
 #if IS_RELAX
-    float confidence = mix(lengths.trust.x, lengths.trust.y, amount);
+    // After a cut the textures of the last frame must not tell, not even by how little they are trusted.
+    float confidence = isHistoryReset() ? 0.0 : mix(lengths.trust.x, lengths.trust.y, amount);
     imageStore(gOut_Confidence, s.pixel, vec4(confidence));
     // No variance yet is no certainty.
     if (mixed.value.w == 0.0)

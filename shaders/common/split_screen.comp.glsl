@@ -28,6 +28,7 @@ void show(texture2D t, texture2D second, writeonly image2D target, writeonly ima
 {
     bool isValid;
     Signal signal = readInput(t, second, inputTexel(pixel), isValid);
+    if (kIsRelax && !kIsSh) signal.value.xyz = NRD_YCoCgToLinear(signal.value.xyz);
     imageStore(target, pixel, encodeValue(signal));
     if (kIsSh) imageStore(secondTarget, pixel, vec4(signal.axis, 0.0));
 }

@@ -2,6 +2,7 @@
 #include "fixture.h"
 #include "spirv.h"
 #include <algorithm>
+#include <initializer_list>
 #include <iomanip>
 #include <sstream>
 
@@ -29,6 +30,12 @@ constexpr PeerRow kPeer[] = {
     {Denoiser::REBLUR_DIFFUSE_SPECULAR_OCCLUSION, 105.02},
     {Denoiser::REBLUR_DIFFUSE_SPECULAR_SH, 412.52},
     {Denoiser::REBLUR_DIFFUSE_DIRECTIONAL_OCCLUSION, 127.52},
+    {Denoiser::RELAX_DIFFUSE, 161.27},
+    {Denoiser::RELAX_DIFFUSE_SH, 281.27},
+    {Denoiser::RELAX_SPECULAR, 180.02},
+    {Denoiser::RELAX_SPECULAR_SH, 300.02},
+    {Denoiser::RELAX_DIFFUSE_SPECULAR, 300.02},
+    {Denoiser::RELAX_DIFFUSE_SPECULAR_SH, 540.02},
 };
 
 bool hasWord(Denoiser denoiser, const char* word)
@@ -36,12 +43,13 @@ bool hasWord(Denoiser denoiser, const char* word)
     return std::string(toString(denoiser)).find(word) != std::string::npos;
 }
 
-std::vector<Denoiser> supportedReblur()
+std::vector<Denoiser> supportedOf(std::initializer_list<const char*> families)
 {
     const LibraryDesc& library = GetLibraryDesc();
     std::vector<Denoiser> result;
     for (uint32_t i = 0; i < library.supportedDenoisersNum; i++)
-        if (hasWord(library.supportedDenoisers[i], "REBLUR")) result.push_back(library.supportedDenoisers[i]);
+        for (const char* family : families)
+            if (hasWord(library.supportedDenoisers[i], family)) result.push_back(library.supportedDenoisers[i]);
     return result;
 }
 
@@ -57,14 +65,17 @@ CommonSettings commonOfSize()
 }
 
 // Nothing left out: split screen, anti-firefly, every optional input.
-std::vector<DispatchDesc> requestEverything(Instance& instance)
+std::vector<DispatchDesc> requestEverything(Instance& instance, Denoiser denoiser)
 {
     CommonSettings common = commonOfSize();
     common.splitScreen = 0.5f;
     common.isHistoryConfidenceAvailable = common.isDisocclusionThresholdMixAvailable = true;
-    ReblurSettings settings;
-    settings.enableAntiFirefly = true;
-    REQUIRE(SetDenoiserSettings(instance, 0, settings) == Result::SUCCESS);
+    ReblurSettings reblur;
+    RelaxSettings relax;
+    reblur.enableAntiFirefly = relax.enableAntiFirefly = true;
+    const bool isRelax = hasWord(denoiser, "RELAX");
+    REQUIRE((isRelax ? SetDenoiserSettings(instance, 0, relax) : SetDenoiserSettings(instance, 0, reblur)) ==
+            Result::SUCCESS);
     return requestFrame(instance, common);
 }
 
@@ -125,10 +136,10 @@ void checkAbsent(const InstanceDesc& desc, const DispatchDesc& dispatch, const c
 }
 } // namespace
 
-TEST_CASE("no REBLUR takes more memory than the peer's", "[unit]")
+TEST_CASE("no denoiser takes more memory than the peer's", "[unit]")
 {
-    REQUIRE_FALSE(supportedReblur().empty());
-    for (Denoiser denoiser : supportedReblur())
+    REQUIRE_FALSE(supportedOf({"REBLUR", "RELAX"}).empty());
+    for (Denoiser denoiser : supportedOf({"REBLUR", "RELAX"}))
     {
         const InstancePtr instance = makeInstance({denoiser});
         const InstanceDesc& desc = GetInstanceDesc(*instance);
@@ -146,14 +157,14 @@ TEST_CASE("no REBLUR takes more memory than the peer's", "[unit]")
     }
 }
 
-TEST_CASE("of a lobe that a REBLUR does not have there is no dispatch, slot, shader or binding", "[unit]")
+TEST_CASE("of a lobe that a denoiser does not have there is no dispatch, slot, shader or binding", "[unit]")
 {
-    for (Denoiser denoiser : supportedReblur())
+    for (Denoiser denoiser : supportedOf({"REBLUR", "RELAX"}))
     {
         const InstancePtr instance = makeInstance({denoiser});
         const InstanceDesc& desc = GetInstanceDesc(*instance);
         INFO(toString(denoiser));
-        for (const DispatchDesc& dispatch : requestEverything(*instance))
+        for (const DispatchDesc& dispatch : requestEverything(*instance, denoiser))
         {
             INFO(dispatch.name);
             if (!hasWord(denoiser, "SPECULAR")) checkAbsent(desc, dispatch, "SPEC", "Specular");

@@ -1,4 +1,6 @@
 #include "options.h"
+#include <cstdlib>
+#include <span>
 
 namespace options
 {
@@ -6,53 +8,123 @@ namespace
 {
 using Common = nrd::CommonSettings;
 
+using Reconstruction = nrd::HitDistanceReconstructionMode;
+using Relax = nrd::RelaxSettings;
+
+void setCheckerboard(Setup& setup, nrd::CheckerboardMode mode)
+{
+    setup.changeSettings([mode](auto& s) { s.checkerboardMode = mode; });
+}
+
+void leaveHalfOut(Setup& setup, Reconstruction mode)
+{
+    setup.isHalfMissing = true;
+    setup.changeSettings([mode](auto& s) { s.hitDistanceReconstructionMode = mode; });
+}
+
+void dropPrePass(Setup& setup)
+{
+    setup.changeSettings([](auto& s) { s.diffusePrepassBlurRadius = s.specularPrepassBlurRadius = 0.0f; });
+}
+
 const Option kSettings[] = {
     {"defaults", [](Setup&) {}},
-    {"checkerboard black", [](Setup& s) { s.settings.checkerboardMode = nrd::CheckerboardMode::BLACK; }},
-    {"checkerboard white", [](Setup& s) { s.settings.checkerboardMode = nrd::CheckerboardMode::WHITE; }},
-    {"reconstruction 3x3",
-     [](Setup& s)
-     {
-         s.settings.hitDistanceReconstructionMode = nrd::HitDistanceReconstructionMode::AREA_3X3;
-         s.isHalfMissing = true;
-     }},
-    {"reconstruction 5x5",
-     [](Setup& s)
-     {
-         s.settings.hitDistanceReconstructionMode = nrd::HitDistanceReconstructionMode::AREA_5X5;
-         s.isHalfMissing = true;
-     }},
+    {"checkerboard black", [](Setup& s) { setCheckerboard(s, nrd::CheckerboardMode::BLACK); }},
+    {"checkerboard white", [](Setup& s) { setCheckerboard(s, nrd::CheckerboardMode::WHITE); }},
+    {"reconstruction 3x3", [](Setup& s) { leaveHalfOut(s, Reconstruction::AREA_3X3); }},
+    {"reconstruction 5x5", [](Setup& s) { leaveHalfOut(s, Reconstruction::AREA_5X5); }},
     {"checkerboard with reconstruction",
      [](Setup& s)
      {
-         s.settings.checkerboardMode = nrd::CheckerboardMode::BLACK;
-         s.settings.hitDistanceReconstructionMode = nrd::HitDistanceReconstructionMode::AREA_5X5;
-         s.isHalfMissing = true;
+         setCheckerboard(s, nrd::CheckerboardMode::BLACK);
+         leaveHalfOut(s, Reconstruction::AREA_5X5);
      }},
-    {"responsive accumulation", [](Setup& s) { s.settings.responsiveAccumulationSettings.roughnessThreshold = 0.5f; }},
-    {"reference accumulation", [](Setup& s) { s.settings.enableReferenceAccumulation = true; }},
-    {"pre-pass for tracking only", [](Setup& s) { s.settings.usePrepassOnlyForSpecularMotionEstimation = true; }},
-    {"history length output", [](Setup& s) { s.settings.returnHistoryLengthInsteadOfOcclusion = true; }},
-    {"no pre-pass",
-     [](Setup& s) { s.settings.diffusePrepassBlurRadius = s.settings.specularPrepassBlurRadius = 0.0f; }},
-    {"no stabilisation", [](Setup& s) { s.settings.maxStabilizedFrameNum = 0; }},
-    {"no anti-firefly", [](Setup& s) { s.settings.enableAntiFirefly = false; }},
-    {"no fast clamp", [](Setup& s) { s.settings.maxFastAccumulatedFrameNum = 63; }},
-    {"no history", [](Setup& s) { s.settings.maxAccumulatedFrameNum = 0; }},
-    {"no history fix", [](Setup& s) { s.settings.historyFixFrameNum = 0; }},
+    {"no pre-pass", dropPrePass},
+    {"pre-pass off", [](Setup& s) { s.changeSettings([](auto& r) { r.prePassMode = nrd::PrePassMode::OFF; }); }},
+    {"no anti-firefly", [](Setup& s) { s.changeSettings([](auto& r) { r.enableAntiFirefly = false; }); }},
+    {"anti-firefly", [](Setup& s) { s.changeSettings([](auto& r) { r.enableAntiFirefly = true; }); }},
+    {"no history fix", [](Setup& s) { s.changeSettings([](auto& r) { r.historyFixFrameNum = 0; }); }},
+    {"wide history fix", [](Setup& s) { s.changeSettings([](auto& r) { r.historyFixBasePixelStride = 64; }); }},
+    {"strict clamp", [](Setup& s) { s.changeSettings([](auto& r) { r.fastHistoryClampingSigmaScale = 1.0f; }); }},
     {"broken samples", [](Setup& s) { s.isBroken = true; }},
     {"broken samples without pre-pass",
      [](Setup& s)
      {
          s.isBroken = true;
-         s.settings.diffusePrepassBlurRadius = s.settings.specularPrepassBlurRadius = 0.0f;
+         dropPrePass(s);
      }},
     {"materials",
      [](Setup& s)
      {
          s.hasMaterials = true;
-         s.settings.minMaterialForDiffuse = s.settings.minMaterialForSpecular = 0;
+         s.changeSettings([](auto& r) { r.minMaterialForDiffuse = r.minMaterialForSpecular = 0; });
      }},
+};
+
+const Option kReblurSettings[] = {
+    {"responsive accumulation", [](Setup& s) { s.settings.responsiveAccumulationSettings.roughnessThreshold = 0.5f; }},
+    {"reference accumulation", [](Setup& s) { s.settings.enableReferenceAccumulation = true; }},
+    {"pre-pass for tracking only", [](Setup& s) { s.settings.usePrepassOnlyForSpecularMotionEstimation = true; }},
+    {"history length output", [](Setup& s) { s.settings.returnHistoryLengthInsteadOfOcclusion = true; }},
+    {"no stabilisation", [](Setup& s) { s.settings.maxStabilizedFrameNum = 0; }},
+    {"no fast clamp", [](Setup& s) { s.settings.maxFastAccumulatedFrameNum = 63; }},
+    {"no history", [](Setup& s) { s.settings.maxAccumulatedFrameNum = 0; }},
+};
+
+void setHistories(Relax& r, uint32_t diffuse, uint32_t specular)
+{
+    r.diffuseMaxAccumulatedFrameNum = diffuse;
+    r.specularMaxAccumulatedFrameNum = specular;
+}
+
+void relaxByConfidence(Setup& s)
+{
+    s.confidence = 0.25f;
+    s.relaxSettings.confidenceDrivenRelaxationMultiplier = 1.0f;
+    s.relaxSettings.confidenceDrivenLuminanceEdgeStoppingRelaxation = 1.0f;
+    s.relaxSettings.confidenceDrivenNormalEdgeStoppingRelaxation = 1.0f;
+}
+
+void setEdgeRelaxation(Relax& r, float amount)
+{
+    r.luminanceEdgeStoppingRelaxation = r.normalEdgeStoppingRelaxation = amount;
+    r.roughnessEdgeStoppingRelaxation = amount;
+}
+
+const Option kRelaxHistory[] = {
+    {"no antilag", [](Setup& s)
+     { s.relaxSettings.antilagSettings.accelerationAmount = s.relaxSettings.antilagSettings.resetAmount = 0; }},
+    {"full antilag", [](Setup& s)
+     { s.relaxSettings.antilagSettings.accelerationAmount = s.relaxSettings.antilagSettings.resetAmount = 1; }},
+    {"no history", [](Setup& s) { setHistories(s.relaxSettings, 0, 0); }},
+    {"long diffuse, short specular history", [](Setup& s) { setHistories(s.relaxSettings, 63, 4); }},
+    {"long specular, short diffuse history", [](Setup& s) { setHistories(s.relaxSettings, 4, 63); }},
+    {"no fast clamp", [](Setup& s)
+     { s.relaxSettings.diffuseMaxFastAccumulatedFrameNum = s.relaxSettings.specularMaxFastAccumulatedFrameNum = 63; }},
+    {"strict normals in the history fix", [](Setup& s) { s.relaxSettings.historyFixEdgeStoppingNormalPower = 128.0f; }},
+    {"variance boost", [](Setup& s) { s.relaxSettings.specularVarianceBoost = 65504.0f; }},
+};
+
+const Option kRelaxWavelet[] = {
+    {"2 steps", [](Setup& s) { s.relaxSettings.atrousIterationNum = 2; }},
+    {"3 steps", [](Setup& s) { s.relaxSettings.atrousIterationNum = 3; }},
+    {"8 steps", [](Setup& s) { s.relaxSettings.atrousIterationNum = 8; }},
+    {"no spatial variance", [](Setup& s) { s.relaxSettings.spatialVarianceEstimationHistoryThreshold = 0; }},
+    {"spatial variance always", [](Setup& s) { s.relaxSettings.spatialVarianceEstimationHistoryThreshold = 63; }},
+    {"phi 0", [](Setup& s) { s.relaxSettings.diffusePhiLuminance = s.relaxSettings.specularPhiLuminance = 0.0f; }},
+    {"phi 100", [](Setup& s) { s.relaxSettings.diffusePhiLuminance = s.relaxSettings.specularPhiLuminance = 100.0f; }},
+    {"no luminance stop",
+     [](Setup& s) { s.relaxSettings.diffuseMinLuminanceWeight = s.relaxSettings.specularMinLuminanceWeight = 1.0f; }},
+    {"thick planes", [](Setup& s) { s.relaxSettings.depthThreshold = 1.0f; }},
+    {"lobe angle 0", [](Setup& s) { s.relaxSettings.lobeAngleFraction = 0.0f; }},
+    {"lobe angle 1", [](Setup& s) { s.relaxSettings.lobeAngleFraction = 1.0f; }},
+    {"lobe angle slack 0", [](Setup& s) { s.relaxSettings.specularLobeAngleSlack = 0.0f; }},
+    {"lobe angle slack 90", [](Setup& s) { s.relaxSettings.specularLobeAngleSlack = 90.0f; }},
+    {"no roughness stop", [](Setup& s) { s.relaxSettings.enableRoughnessEdgeStopping = false; }},
+    {"roughness fraction 0", [](Setup& s) { s.relaxSettings.roughnessFraction = 0.0f; }},
+    {"edges do not relax", [](Setup& s) { setEdgeRelaxation(s.relaxSettings, 0.0f); }},
+    {"edges relax", [](Setup& s) { setEdgeRelaxation(s.relaxSettings, 1.0f); }},
+    {"edges relax by confidence", relaxByConfidence},
 };
 
 const Option kFrames[] = {
@@ -136,16 +208,25 @@ const Option kInputs[] = {
 };
 } // namespace
 
-const std::vector<Option>& allOptions()
+const std::vector<Option>& allOptions(nrd::Denoiser denoiser)
 {
-    static const std::vector<Option> options = []
+    const auto join = [](std::initializer_list<std::span<const Option>> tables)
     {
-        std::vector<Option> all(std::begin(kSettings), std::end(kSettings));
-        all.insert(all.end(), std::begin(kFrames), std::end(kFrames));
-        all.insert(all.end(), std::begin(kInputs), std::end(kInputs));
+        std::vector<Option> all;
+        for (const auto& table : tables) all.insert(all.end(), table.begin(), table.end());
         return all;
-    }();
-    return options;
+    };
+    static const std::vector<Option> reblur = join({kSettings, kReblurSettings, kFrames, kInputs});
+    static const std::vector<Option> relax = join({kSettings, kRelaxHistory, kRelaxWavelet, kFrames, kInputs});
+    return isRelax(denoiser) ? relax : reblur;
+}
+
+bool isFull() { return std::getenv("NRD_TEST_FULL") != nullptr; }
+
+bool isRepresentative(nrd::Denoiser denoiser)
+{
+    return isFull() || !isRelax(denoiser) || denoiser == nrd::Denoiser::RELAX_DIFFUSE ||
+           denoiser == nrd::Denoiser::RELAX_SPECULAR || denoiser == nrd::Denoiser::RELAX_DIFFUSE_SPECULAR_SH;
 }
 
 Setup makeSetup(nrd::Denoiser denoiser, glm::ivec2 size)

@@ -139,7 +139,10 @@ void Runner::start(const Setup& setup)
 void Runner::change(const Setup& setup)
 {
     m_impl->setup = setup;
-    require(m_impl->integration.SetDenoiserSettings(m_impl->identifier(), setup.settings), m_impl->integration);
+    nrd::NrdIntegration& integration = m_impl->integration;
+    require(isRelax(setup.denoiser) ? integration.SetDenoiserSettings(m_impl->identifier(), setup.relaxSettings)
+                                    : integration.SetDenoiserSettings(m_impl->identifier(), setup.settings),
+            integration);
 }
 
 Result Runner::denoise(int frameIndex)

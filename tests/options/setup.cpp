@@ -3,6 +3,7 @@
 #include <cstring>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/type_ptr.hpp>
+#include <string>
 
 namespace options
 {
@@ -62,6 +63,13 @@ void setMotion(const Setup& setup, nrd::CommonSettings& common)
     if (setup.motion == MotionKind::Screen) common.motionVectorScale[2] = 0.0f;
 }
 } // namespace
+
+bool isRelax(nrd::Denoiser denoiser) { return std::string(nrd::toString(denoiser)).starts_with("RELAX"); }
+
+nrd::CheckerboardMode checkerboardOf(const Setup& setup)
+{
+    return isRelax(setup.denoiser) ? setup.relaxSettings.checkerboardMode : setup.settings.checkerboardMode;
+}
 
 glm::ivec2 rectOf(const Setup& setup, int frame)
 {

@@ -1,4 +1,5 @@
-// What an option changes: the instance, the settings, the camera and the inputs of a run of any REBLUR denoiser.
+// What an option changes: the instance, the settings, the camera and the inputs of a run of any REBLUR or RELAX
+// denoiser.
 #pragma once
 #include <functional>
 #include <glm/glm.hpp>
@@ -30,8 +31,9 @@ struct Setup
     nrd::Denoiser denoiser = nrd::Denoiser::REBLUR_DIFFUSE_SPECULAR;
     nrd::NormalEncoding normalEncoding = nrd::NormalEncoding::R10_G10_B10_A2_UNORM;
     nrd::RoughnessEncoding roughnessEncoding = nrd::RoughnessEncoding::LINEAR;
-    uint32_t resolutionDivisor = 1; // 1 or 2
-    nrd::ReblurSettings settings;
+    uint32_t resolutionDivisor = 1;   // 1 or 2
+    nrd::ReblurSettings settings;     // of REBLUR
+    nrd::RelaxSettings relaxSettings; // of RELAX
 
     glm::ivec2 size{127, 63}; // resource, pixels
     glm::ivec2 rect{127, 63};
@@ -61,7 +63,19 @@ struct Setup
     std::function<quality::Camera(int frame)> camera; // in place of quality::makeCamera()
     std::function<quality::Guides(const quality::Camera&, glm::ivec2 size, int frame)> scene;
     std::function<float(int x, int width)> meanAt; // in place of `mean`
+    // RELAX only: RGB and hit distance in place of the noisy samples.
+    std::function<glm::vec4(glm::ivec2 pixel, int frame)> sampleAt;
+
+    // What both families have, in whichever of them is used.
+    template <class Change> void changeSettings(Change&& change)
+    {
+        change(settings);
+        change(relaxSettings);
+    }
 };
+
+bool isRelax(nrd::Denoiser denoiser);
+nrd::CheckerboardMode checkerboardOf(const Setup& setup);
 
 // A frame's camera, and its matrices as the application hands them over.
 struct View

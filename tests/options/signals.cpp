@@ -49,7 +49,19 @@ private:
     std::mt19937 m_rng;
 };
 
+constexpr float kMetersPerHitDist = 4.0f; // RELAX has lengths where REBLUR has shares of one
+
 glm::vec4 radiance(float luma, float hitDist) { return {luma, 0.1f * luma, -0.05f * luma, hitDist}; }
+
+glm::vec3 toRgb(glm::vec3 yCoCg)
+{
+    return {yCoCg.x - yCoCg.z + yCoCg.y, yCoCg.x + yCoCg.z, yCoCg.x - yCoCg.z - yCoCg.y};
+}
+
+glm::vec3 toYCoCg(glm::vec3 rgb)
+{
+    return {0.25f * (rgb.x + rgb.z) + 0.5f * rgb.y, 0.5f * (rgb.x - rgb.z), 0.5f * rgb.y - 0.25f * (rgb.x + rgb.z)};
+}
 
 struct Kind
 {
@@ -80,16 +92,39 @@ Kind kindOf(Slot input)
     case Slot::IN_SPEC_SH1:
         return {Slot::OUT_SPEC_SH1, true};
     default:
-        FAIL("no signal of REBLUR: " << nrd::toString(input));
+        FAIL("no signal: " << nrd::toString(input));
         return {};
     }
 }
 
-glm::vec4 encode(Slot input, const Sample& s)
+bool isDirections(Slot input) { return input == Slot::IN_DIFF_SH1 || input == Slot::IN_SPEC_SH1; }
+
+glm::vec4 encodeRelax(Slot input, const Sample& s, const Setup& setup)
 {
+    if (isDirections(input)) return {s.direction * s.luma, 0.0f};
+    const glm::vec4 value = radiance(s.luma, s.hitDist * kMetersPerHitDist * setup.unitsPerMeter);
+    return {toRgb(value), value.w};
+}
+
+// Of the same light from everywhere above.
+glm::vec4 encodeGiven(Slot input, glm::vec4 given)
+{
+    return isDirections(input) ? glm::vec4(kDirectionMean * toYCoCg(given).x, 0.0f) : given;
+}
+
+// RELAX takes RGB, and its spherical harmonics come out as Y, Co, Cg.
+glm::vec4 asOutput(Slot input, glm::vec4 value, const Setup& setup)
+{
+    const bool isSh0 = input == Slot::IN_DIFF_SH0 || input == Slot::IN_SPEC_SH0;
+    return isRelax(setup.denoiser) && isSh0 ? glm::vec4(toYCoCg(value), value.w) : value;
+}
+
+glm::vec4 encode(Slot input, const Sample& s, const Setup& setup)
+{
+    if (isRelax(setup.denoiser)) return encodeRelax(input, s, setup);
     if (input == Slot::IN_DIFF_HITDIST || input == Slot::IN_SPEC_HITDIST) return glm::vec4(s.occlusion, 0, 0, 0);
     if (input == Slot::IN_DIFF_DIRECTION_HITDIST) return {s.direction * s.occlusion, s.occlusion};
-    if (input == Slot::IN_DIFF_SH1 || input == Slot::IN_SPEC_SH1) return {s.direction * s.luma, 0.0f};
+    if (isDirections(input)) return {s.direction * s.luma, 0.0f};
     return radiance(s.luma, s.hitDist);
 }
 
@@ -101,31 +136,31 @@ glm::vec4 asStored(rhi::Format format, glm::vec4 value)
 }
 
 // Two pixels share a texel of a checkerboard, and one of them has data.
-Plane packCheckerboard(const Setup& setup, const Frame& frame, Slot input, int frameIndex)
+Plane packCheckerboard(const Setup& setup, const Frame& frame, Slot input, int frameIndex, const Plane& samples)
 {
     const Kind kind = kindOf(input);
-    const Plane& noisy = frame.noisy.at(kind.output);
+    const nrd::CheckerboardMode mode = checkerboardOf(setup);
     Plane plane(static_cast<size_t>(frame.size.x * frame.size.y), poisonOf(frame.formats.at(input)));
     for (int y = 0; y < frame.rect.y; y++)
     {
         for (int x = 0; x < frame.rect.x; x++)
         {
-            if (!hasData(setup.settings, kind.isSpecular, {x, y}, frameIndex) || !frame.isInRange(x, y)) continue;
-            const bool isPacked = setup.settings.checkerboardMode != nrd::CheckerboardMode::OFF;
+            if (!hasData(mode, kind.isSpecular, {x, y}, frameIndex) || !frame.isInRange(x, y)) continue;
+            const bool isPacked = mode != nrd::CheckerboardMode::OFF;
             const bool isBroken = setup.isBroken && (x * 7 + y * 3 + frameIndex) % 16 == 0;
             plane[frame.texel(isPacked ? x / 2 : x, y)] =
-                isBroken ? poisonOf(frame.formats.at(input)) : noisy[frame.pixel(x, y)];
+                isBroken ? poisonOf(frame.formats.at(input)) : samples[frame.pixel(x, y)];
         }
     }
     return plane;
 }
 } // namespace
 
-bool hasData(const nrd::ReblurSettings& settings, bool isSpecular, glm::ivec2 pixel, int frameIndex)
+bool hasData(nrd::CheckerboardMode mode, bool isSpecular, glm::ivec2 pixel, int frameIndex)
 {
-    if (settings.checkerboardMode == nrd::CheckerboardMode::OFF) return true;
+    if (mode == nrd::CheckerboardMode::OFF) return true;
     const bool isBlack = ((pixel.x + pixel.y + frameIndex) & 1) == 0;
-    return isBlack == ((settings.checkerboardMode == nrd::CheckerboardMode::BLACK) != isSpecular);
+    return isBlack == ((mode == nrd::CheckerboardMode::BLACK) != isSpecular);
 }
 
 void addSignal(const Setup& setup, Frame& frame, Slot slot, int frameIndex)
@@ -134,15 +169,21 @@ void addSignal(const Setup& setup, Frame& frame, Slot slot, int frameIndex)
     Plane& noisy = frame.noisy[kind.output];
     Plane& means = frame.means[kind.output];
     SampleSource source(setup, kind.isSpecular, frameIndex);
+    Plane samples;
     for (int y = 0; y < frame.rect.y; y++)
     {
         for (int x = 0; x < frame.rect.x; x++)
         {
             const float mean = setup.meanAt ? setup.meanAt(x, frame.rect.x) : setup.mean;
-            noisy.push_back(asStored(frame.formats.at(slot), encode(slot, source.next(mean))));
-            means.push_back(encode(slot, {mean, kHitDistMean, kOcclusionMean, kDirectionMean}));
+            const Sample sample = source.next(mean);
+            const glm::vec4 value =
+                setup.sampleAt ? encodeGiven(slot, setup.sampleAt({x, y}, frameIndex)) : encode(slot, sample, setup);
+            const Sample truth = {mean, kHitDistMean, kOcclusionMean, kDirectionMean};
+            samples.push_back(asStored(frame.formats.at(slot), value));
+            noisy.push_back(asOutput(slot, samples.back(), setup));
+            means.push_back(asOutput(slot, encode(slot, truth, setup), setup));
         }
     }
-    frame.inputs[slot] = packCheckerboard(setup, frame, slot, frameIndex);
+    frame.inputs[slot] = packCheckerboard(setup, frame, slot, frameIndex, samples);
 }
 } // namespace options

@@ -1,4 +1,4 @@
-// Noisy signals of every kind of REBLUR, from the same samples.
+// Noisy signals of every kind of denoiser, from the same samples.
 #pragma once
 #include "inputs.h"
 
@@ -9,5 +9,5 @@ void addSignal(const Setup& setup, Frame& frame, nrd::ResourceType slot, int fra
 
 // Whether a lobe has data in a pixel: diffuse where BLACK or WHITE says, specular on the others, changing places every
 // frame.
-bool hasData(const nrd::ReblurSettings& settings, bool isSpecular, glm::ivec2 pixel, int frameIndex);
+bool hasData(nrd::CheckerboardMode mode, bool isSpecular, glm::ivec2 pixel, int frameIndex);
 } // namespace options

@@ -91,7 +91,7 @@ Setup exchanged(nrd::Denoiser denoiser)
 Setup broken(nrd::Denoiser denoiser)
 {
     Setup setup = announced(denoiser, nrd::AccumulationMode::RESTART);
-    setup.settings.diffusePrepassBlurRadius = setup.settings.specularPrepassBlurRadius = 0.0f;
+    setup.changeSettings([](auto& s) { s.diffusePrepassBlurRadius = s.specularPrepassBlurRadius = 0.0f; });
     setup.isBroken = true;
     return setup;
 }
@@ -132,7 +132,7 @@ bool tellsLength(nrd::Denoiser denoiser)
 
 TEST_CASE("from a cut on every denoiser's frames are those of a fresh instance", "[gpu]")
 {
-    for (const nrd::Denoiser denoiser : kReblurDenoisers)
+    for (const nrd::Denoiser denoiser : kDenoisers)
     {
         Runner runner(denoiser);
         const struct
@@ -163,7 +163,7 @@ TEST_CASE("without detection a cut that nobody announced leaks", "[gpu]")
 
 TEST_CASE("a pan and an ordinary camera are no cuts", "[gpu]")
 {
-    for (const nrd::Denoiser denoiser : kReblurDenoisers)
+    for (const nrd::Denoiser denoiser : kDenoisers)
     {
         if (!tellsLength(denoiser)) continue;
         Runner runner(denoiser);
