@@ -113,8 +113,10 @@ Signal readHistory(texture2D t, texture2D second, HistoryRead read)
 // The pre-pass has made sure that everything is finite.
 Signal readAccumulated(texture2D t, texture2D second, ivec2 pixel, out bool isValid)
 {
-    isValid = true;
-    return kHasPrepass ? readSignal(t, second, pixel) : readInput(t, second, pixel, isValid);
+    if (!kHasPrepass) return readInput(t, second, pixel, isValid);
+    Signal signal = readSignal(t, second, pixel);
+    isValid = kIsBounded || signal.value.w >= 0.0;
+    return signal;
 }
 
 float readStabilized(int channel, HistoryRead read)

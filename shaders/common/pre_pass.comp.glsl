@@ -88,7 +88,9 @@ Signal resolveTaps(TapSums sums, Signal own, bool isOwnValid)
     Signal sum = isOwnValid ? own : kNoSignal;
     sum = addWeighted(addWeighted(sum, sums.known, 1.0), sums.unknown, affinity);
     float weightSum = (isOwnValid ? 1.0 : 0.0) + sums.knownWeight + sums.unknownShare * affinity;
-    return weightSum > 0.0 ? scaled(sum, 1.0 / weightSum) : own;
+    if (weightSum > 0.0) return scaled(sum, 1.0 / weightSum);
+    if (!kIsBounded && !isOwnValid) own.value.w = kNoSample;
+    return own;
 }
 
 struct Filtered

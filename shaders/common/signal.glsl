@@ -11,6 +11,9 @@ struct Signal
     vec3 axis;  // spherical harmonics: direction * Y, shorter the less directional the light
 };
 
+// Stored as hit distance where not a single finite sample was found.
+const float kNoSample = -1.0;
+
 const Signal kNoSignal = Signal(vec4(0.0), vec3(0.0));
 
 float luma(Signal s) { return kIsDirectional ? s.value.w : s.value.x; }
