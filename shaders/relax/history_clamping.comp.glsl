@@ -34,24 +34,9 @@ layout(set = SET_RESOURCES, binding = FIRST_OUT + SIGNAL_NUM + 3) uniform writeo
 
 const int kRadius = 2;
 const ivec2 kHalo = ivec2(8 + 2 * kRadius, 16 + 2 * kRadius);
-const float kChangeSigmaScale = 1.05; // of single pixels: five times as many of the mean over 5x5
-const float kChangeMin = 0.08; // smaller changes are not worth the noise of a new start
 const float kInvalid = -1.0; // lumas are not negative
 
 shared vec4 sLumas[kHalo.y][kHalo.x]; // fast and noisy of one lobe, then of the other
-shared vec2 sSlow[kHalo.y][kHalo.x];  // per lobe
-
-vec2 slowLumas(ivec2 pixel)
-{
-    vec2 lumas = vec2(0.0);
-#if HAS_DIFFUSE
-    lumas.x = texelFetch(gIn_Diffuse, pixel, 0).x;
-#endif
-#if HAS_SPECULAR
-    lumas[kSpecularChannel] = texelFetch(gIn_Specular, pixel, 0).x;
-#endif
-    return lumas;
-}
 
 void loadLumas(ivec2 group)
 {
@@ -62,7 +47,6 @@ void loadLumas(ivec2 group)
         ivec2 inside = clampToRect(pixel);
         bool isUsed = pixel == inside && isInRange(decodeViewZ(texelFetch(gIn_ViewZ, guideTexel(inside), 0).x));
         sLumas[local.y][local.x] = isUsed ? texelFetch(gIn_Fast, inside, 0) : vec4(kInvalid);
-        sSlow[local.y][local.x] = isUsed ? slowLumas(inside) : vec2(kInvalid);
     }
 }
 
@@ -92,29 +76,6 @@ Moments measureLumas()
         variance += difference * difference;
     }
     return Moments(mean, sqrt(variance / 25.0));
-}
-
-// The length to keep: none where the light changed, that is where over 5x5 the noisy signal differs from the slow history
-// by more than noise explains. Pixel by pixel, so that edges of the picture do not count as noise; and by the noise of
-// frames past too, or a frame in which all rare bright samples missed would look like darkness.
-float keptLength(Signal signal, int lobe, float n)
-{
-    if (g.relaxAntilag.w == 0.0) return n;
-    ivec2 local = ivec2(gl_LocalInvocationID.xy);
-    float mean = 0.0, meanSquare = 0.0, level = 0.0, count = 0.0;
-    for (int i = 0; i < 25; i++)
-    {
-        float slow = sSlow[local.y + i / 5][local.x + i % 5][lobe];
-        if (slow == kInvalid) continue;
-        float noisy = sLumas[local.y + i / 5][local.x + i % 5][2 * lobe + 1];
-        mean += noisy - slow;
-        meanSquare += square(noisy - slow);
-        level += max(noisy, slow);
-        count += 1.0;
-    }
-    mean /= count;
-    float variance = max(meanSquare / count - square(mean), signal.value.w * square(luma(signal)));
-    return abs(mean) > kChangeSigmaScale * sqrt(variance) + kChangeMin * level / count ? -1.0 : n;
 }
 
 ivec2 mirrorPixel(ivec2 pixel)
@@ -258,7 +219,6 @@ void main()
     if (kHasAntiFirefly) diffuse = suppressFirefly(gIn_Diffuse, p, diffuseLobe, position, diffuse);
     fast.x = boundSignal(diffuse, 0, false, n.x, m);
     storeSignal(gOut_Diffuse, gOut_DiffuseSh, position, diffuse);
-    n.x = keptLength(diffuse, 0, n.x);
 #endif
 #if HAS_SPECULAR
     const int c = kSpecularChannel;
@@ -267,7 +227,6 @@ void main()
     if (kHasAntiFirefly) specular = suppressFirefly(gIn_Specular, p, specularLobe, position, specular);
     fast[c] = boundSignal(specular, c, true, n[c], m);
     storeSignal(gOut_Specular, gOut_SpecularSh, position, specular);
-    n[c] = keptLength(specular, c, n[c]);
 #endif
     imageStore(gOut_Fast, position, roundToHalf(vec4(fast, 0.0, 0.0)));
     imageStore(gOut_PrevLength, position, uvec4(packLengthWord(n + 1.0)));
