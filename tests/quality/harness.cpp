@@ -93,7 +93,7 @@ struct Harness::Impl
 {
     Impl(int w, int h) : width(w), height(h) {}
 
-    void create(const nrd::ReblurSettings& settings, nrd::Denoiser kind);
+    void create(const Settings& settings, nrd::Denoiser kind);
     void upload(const Frame& frame);
     void setCommon(const Frame& frame, const std::function<void(nrd::CommonSettings&)>& change);
     void record(rhi::CommandBuffer& commands);
@@ -118,7 +118,7 @@ struct Harness::Impl
     Overlay overlay;
 };
 
-void Harness::Impl::create(const nrd::ReblurSettings& settings, nrd::Denoiser kind)
+void Harness::Impl::create(const Settings& settings, nrd::Denoiser kind)
 {
     const rhi::VulkanHandles handles = rhi::vulkanHandles(device());
     nrd::IntegrationCreationDesc desc;
@@ -136,7 +136,8 @@ void Harness::Impl::create(const nrd::ReblurSettings& settings, nrd::Denoiser ki
     instanceDesc.denoisers = &denoiser;
     instanceDesc.denoisersNum = 1;
     require(integration.Create(desc, instanceDesc), integration);
-    require(integration.SetDenoiserSettings(0, settings), integration);
+    const auto set = [&](const auto& chosen) { return integration.SetDenoiserSettings(0, chosen); };
+    require(std::visit(set, settings), integration);
 }
 
 void Harness::Impl::upload(const Frame& frame)
@@ -248,7 +249,7 @@ Signal Harness::Impl::read(const Image& image) const
     return signal;
 }
 
-Harness::Harness(int width, int height, const nrd::ReblurSettings& settings, nrd::Denoiser denoiser)
+Harness::Harness(int width, int height, const Settings& settings, nrd::Denoiser denoiser)
     : m_impl(std::make_unique<Impl>(width, height))
 {
     m_impl->create(settings, denoiser);

@@ -1,15 +1,17 @@
-// Runs a REBLUR denoiser through NrdIntegration on images filled from the host; every slot of a lobe gets the same
-// image. Any validation message of the device fails the running test case.
+// Runs a REBLUR or RELAX denoiser through NrdIntegration on images filled from the host; every slot of a lobe gets the
+// same image. Any validation message of the device fails the running test case.
 #pragma once
 #include "scene.h"
 #include <functional>
 #include <memory>
 #include <nrd/integration.h>
+#include <variant>
 #include <vector>
 
 namespace quality
 {
-using Signal = std::vector<glm::vec4>; // Y, Co, Cg, normalised hit distance
+using Signal = std::vector<glm::vec4>; // Y, Co, Cg, normalised hit distance; RELAX: R, G, B, hit distance
+using Settings = std::variant<nrd::ReblurSettings, nrd::RelaxSettings>;
 
 struct Frame
 {
@@ -23,7 +25,7 @@ using Overlay = std::vector<glm::u8vec4>;
 class Harness
 {
 public:
-    Harness(int width, int height, const nrd::ReblurSettings& settings = {},
+    Harness(int width, int height, const Settings& settings = {},
             nrd::Denoiser denoiser = nrd::Denoiser::REBLUR_DIFFUSE_SPECULAR);
     ~Harness();
 
