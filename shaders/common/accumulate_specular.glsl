@@ -1,6 +1,7 @@
 // Temporal accumulation of the specular lobe: two tracks, their confidences, and the choice between them.
 #ifndef ACCUMULATE_SPECULAR_GLSL
 #define ACCUMULATE_SPECULAR_GLSL
+#include "reflected_motion.glsl"
 
 const float kCurvaturePlaneSensitivity = 0.04;
 
@@ -153,7 +154,8 @@ SpecularLengths measureLengths(Surface s, SurfaceTrack surface, VirtualTrack ima
     vec2 responsive = vec2(responsiveLength(roughness, dot(surface.NoN, surface.footprint.bilinear)),
                            responsiveLength(roughness, image.NoN));
     SpecularLengths lengths;
-    lengths.trust = vec2(surfaceConfidence(s, surface, roughness, normHitDist, motion), image.confidence);
+    float surfaceTrust = surfaceConfidence(s, surface, roughness, normHitDist, motion) * image.stillness;
+    lengths.trust = vec2(surfaceTrust, image.confidence);
     n = min(n, g.maxAccumulatedFrameNum.y * lengths.trust);
     // Responsiveness alone must not trigger the history fix, so the length that is passed on is capped more mildly.
     lengths.nFix = min(n, max(responsive, vec2(g.historyFixFrameNum)));
@@ -180,11 +182,11 @@ LobeResult accumulateSpecular(Surface s, SurfaceTrack surface)
     bool isValid;
     Signal signal = readAccumulated(gIn_Specular, gIn_SpecularSh, s.pixel, isValid);
     float motion = saturate(length((surface.uv - s.uv) * g.rectSize) / 0.25);
-    VirtualTrack image = trackVirtual(s, surface, hitDist, motionCurvature(s, surface));
+    VirtualTrack image = trackVirtual(s, surface, hitDist, motionCurvature(s, surface), reflectedMotion(s));
     SpecularLengths lengths = measureLengths(s, surface, image, signal.value.w, motion);
 
     bool isAttached = kHasMaterialTest && s.guide.materialID == g.cameraAttachedMaterialID;
-    float amount = virtualAmount(lengths.n.y, lengths.n.x) * (isAttached ? 1.0 : motion);
+    float amount = virtualAmount(lengths.n.y, lengths.n.x) * (isAttached ? 1.0 : max(motion, saturate(image.reflectedShift / 0.25)));
     // A position between two different surfaces would smear.
     if (!surface.isCubic || !image.isCubic) amount = amount >= 0.5 ? 1.0 : 0.0;
     showVirtualAmount(s.pixel, amount);

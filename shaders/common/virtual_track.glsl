@@ -13,6 +13,7 @@ struct VirtualTrack
 {
     vec2 uv;
     float distanceToSurface; // pixels between the two tracks
+    float reflectedShift;    // pixels the image moves because what is reflected does
     Footprint footprint;
     vec4 valid;
     vec4 weights;
@@ -20,6 +21,7 @@ struct VirtualTrack
     bool isCubic;
     float quality;
     float confidence;
+    float stillness; // of what is reflected: confidence in the other track
     float n;
 };
 
@@ -30,7 +32,7 @@ float roughnessWeight(float a, float b, float fraction, float sensitivity)
     return soft(abs(b * b - m) / mix(sensitivity, 1.0, mix(m * m, m, saturate(fraction))));
 }
 
-Reflector makeReflector(Surface s, SurfaceTrack track)
+Reflector makeReflector(Surface s, SurfaceTrack track, vec3 reflectedMotion)
 {
     Reflector r;
     r.X = s.X;
@@ -41,7 +43,27 @@ Reflector makeReflector(Surface s, SurfaceTrack track)
     r.NoD = dot(s.guide.N, dominantDirection(s.guide.N, s.V, r.factor));
     r.NoV = s.NoV;
     r.distanceToCamera = length(s.X);
+    r.imageMotion = mirrorMotion(reflectedMotion, s.guide.N);
     return r;
+}
+
+bool isReflectionMoving(Reflector r) { return any(notEqual(r.imageMotion, vec3(0.0))); }
+
+// Compared only where something moves: elsewhere rounding alone could tell the two positions apart.
+float reflectedShift(Reflector r, vec2 uv, float hitDist, float curvature)
+{
+    if (!isReflectionMoving(r)) return 0.0;
+    r.imageMotion = vec3(0.0);
+    return length((projectToUv(g.worldToClipPrev, virtualPosition(r, hitDist, curvature)) - uv) * g.rectSize);
+}
+
+// The surface keeps a reflection only as long as what is reflected stays within a new sample's share of the lobe.
+float stillnessConfidence(Surface s, Reflector r, float hitDist, float n)
+{
+    if (!isReflectionMoving(r)) return 1.0;
+    float turn = atan(length(r.imageMotion - dot(r.imageMotion, r.V) * r.V) / max(hitDist, 1e-6));
+    float allowed = atan(lobeTangent(s.guide.roughness, 0.75) * newSampleWeight(n));
+    return square(square(ramp(max(allowed, normalEncodingError(kNormalEncoding)), 0.0, turn)));
 }
 
 // A concave mirror near its focus magnifies without bound; beyond a limit the reflection is taken as flat.
@@ -50,6 +72,7 @@ float limitConcavity(Reflector r, SurfaceTrack track, float hitDist, float curva
     if (!(curvature < 0.0)) return curvature;
     Reflector still = r;
     still.Xprev = r.X;
+    still.imageMotion = vec3(0.0);
     vec2 image = projectToUv(g.worldToClipPrev, virtualPosition(still, hitDist, curvature));
     float moved = length((image - projectToUv(g.worldToClipPrev, r.X)) * g.rectSize);
     return moved < kMaxVirtualAcceleration * track.parallaxMax + g.rectSizeInv.x ? curvature : 0.0;
@@ -138,13 +161,16 @@ float parallaxConfidence(Surface s, Reflector r, VirtualTrack track, float hitDi
     return ramp(max(max(footprint, 0.1 * s.guide.roughness), 1e-3), 0.0, moved);
 }
 
-VirtualTrack trackVirtual(Surface s, SurfaceTrack surface, float hitDist, float curvature)
+// reflectedMotion: in the world, of what is reflected.
+VirtualTrack trackVirtual(Surface s, SurfaceTrack surface, float hitDist, float curvature, vec3 reflectedMotion)
 {
     VirtualTrack track;
-    Reflector r = makeReflector(s, surface);
+    Reflector r = makeReflector(s, surface, reflectedMotion);
     curvature = limitConcavity(r, surface, hitDist, curvature);
     bool isAttached = kHasMaterialTest && s.guide.materialID == g.cameraAttachedMaterialID;
     track.uv = isAttached ? surface.uv : projectToUv(g.worldToClipPrev, virtualPosition(r, hitDist, curvature));
+    track.reflectedShift = isAttached ? 0.0 : reflectedShift(r, track.uv, hitDist, curvature);
+    track.stillness = isAttached ? 1.0 : stillnessConfidence(s, r, hitDist, surface.n[kSpecularChannel]);
     track.distanceToSurface = length((track.uv - surface.uv) * g.rectSizePrev);
     track.footprint = makeFootprint(clamp(track.uv, -1.0, 2.0) * g.rectSizePrev);
     vec4 roughnessWeights, previousGuide;

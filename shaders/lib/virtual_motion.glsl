@@ -3,6 +3,8 @@
 #define VIRTUAL_MOTION_GLSL
 #include "geometry.glsl"
 
+const float kMaxMagnification = 5.0; // near a concave mirror's focus the image's motion has no bound
+
 struct Reflector
 {
     vec3 X;         // now
@@ -13,6 +15,7 @@ struct Reflector
     float NoD;      // cosine between normal and dominant direction
     float NoV;
     float distanceToCamera;
+    vec3 imageMotion; // of a flat mirror's image: previous position minus now, from mirrorMotion()
 };
 
 // Distance of the image from the surface, positive behind it. curvature: convex > 0. Flat: the hit distance itself.
@@ -27,12 +30,24 @@ float imageDistance(Reflector r, float hitDist, float curvature)
     return -r.factor * hitDist / (denominator * silhouette);
 }
 
-// Position, one frame ago, of the image. Images on the surface move with it, images far behind it stay where they are.
+// A flat mirror's image of what moves.
+vec3 mirrorMotion(vec3 motion, vec3 N) { return motion - 2.0 * dot(motion, N) * N; }
+
+// Size of the image against that of what is reflected: 1 flat, less if convex, negative where it is upside down. The
+// lobe's width counts too: a rough surface has no image.
+float magnification(float along, float hitDist)
+{
+    return clamp(along / (hitDist + kEps), -kMaxMagnification, kMaxMagnification);
+}
+
+// Position, one frame ago, of the image. Images on the surface move with it, images far behind it stay where they are
+// but for what the reflected object does itself: its mirrored motion times the lateral magnification. (Along the view
+// direction the square would be right, which no screen shows.)
 vec3 virtualPosition(Reflector r, float hitDist, float curvature)
 {
     float along = imageDistance(r, hitDist, curvature);
-    float share = saturate(abs(along) / (hitDist + kEps));
-    return mix(r.Xprev, r.X, share) - along * r.V;
+    float scale = magnification(along, hitDist);
+    return mix(r.Xprev, r.X, saturate(abs(scale))) - along * r.V + scale * r.imageMotion;
 }
 
 // Curvature from a second point of the surface and its normal; convex > 0.

@@ -31,6 +31,7 @@ Reflector reflector(Arguments v)
     r.factor = dominantFactor(r.NoV, v.c.w);
     r.NoD = dot(r.N, dominantDirection(r.N, r.V, r.factor));
     r.distanceToCamera = length(v.a.xyz);
+    r.imageMotion = mirrorMotion(v.d.xyz, r.N);
     return r;
 }
 
