@@ -186,7 +186,8 @@ LobeResult accumulateSpecular(Surface s, SurfaceTrack surface)
     SpecularLengths lengths = measureLengths(s, surface, image, signal.value.w, motion);
 
     bool isAttached = kHasMaterialTest && s.guide.materialID == g.cameraAttachedMaterialID;
-    float amount = virtualAmount(lengths.n.y, lengths.n.x) * (isAttached ? 1.0 : max(motion, saturate(image.reflectedShift / 0.25)));
+    float apparentMotion = isAttached ? 1.0 : max(motion, saturate(image.reflectedShift / 0.25));
+    float amount = virtualAmount(lengths.n.y, lengths.n.x) * apparentMotion;
     // A position between two different surfaces would smear.
     if (!surface.isCubic || !image.isCubic) amount = amount >= 0.5 ? 1.0 : 0.0;
     showVirtualAmount(s.pixel, amount);

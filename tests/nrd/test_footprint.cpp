@@ -62,6 +62,7 @@ std::vector<DispatchDesc> requestEverything(Instance& instance)
     CommonSettings common = commonOfSize();
     common.splitScreen = 0.5f;
     common.isHistoryConfidenceAvailable = common.isDisocclusionThresholdMixAvailable = true;
+    common.isSpecularMotionAvailable = true;
     ReblurSettings settings;
     settings.enableAntiFirefly = true;
     REQUIRE(SetDenoiserSettings(instance, 0, settings) == Result::SUCCESS);

@@ -1,5 +1,5 @@
-// Runs a REBLUR denoiser through NrdIntegration on images filled from the host; every slot of a lobe gets the same
-// image. Any validation message of the device fails the running test case.
+// Runs a denoiser of REBLUR or RELAX through NrdIntegration on images filled from the host; every slot of a lobe gets
+// the same image. Any validation message of the device fails the running test case.
 #pragma once
 #include "scene.h"
 #include <functional>
@@ -9,13 +9,14 @@
 
 namespace quality
 {
-using Signal = std::vector<glm::vec4>; // Y, Co, Cg, normalised hit distance
+using Signal = std::vector<glm::vec4>; // Y, Co, Cg, normalised hit distance; RELAX: R, G, B, hit distance
 
 struct Frame
 {
     Guides guides;
     Signal diffuse, specular;
-    std::vector<glm::vec3> motion = {}; // world space; empty = static scene
+    std::vector<glm::vec3> motion = {};         // world space; empty = static scene
+    std::vector<glm::vec4> specularMotion = {}; // IN_SPEC_MV; empty = not bound
 };
 
 using Overlay = std::vector<glm::u8vec4>;
@@ -25,6 +26,7 @@ class Harness
 public:
     Harness(int width, int height, const nrd::ReblurSettings& settings = {},
             nrd::Denoiser denoiser = nrd::Denoiser::REBLUR_DIFFUSE_SPECULAR);
+    Harness(int width, int height, nrd::Denoiser denoiser); // with its family's default settings
     ~Harness();
 
     // `change` may alter the common settings of this frame; the previous frame's camera is kept here.
