@@ -1,5 +1,5 @@
 // What IN_SPEC_MV says of a pixel: how what is seen in it moves by itself.
-// Needs gIn_SpecularMotion and the neighbourhood of accumulate.glsl.
+// Needs gIn_SpecularMotion, gIn_PrevTrack but for occlusion, and the neighbourhood of accumulate.glsl.
 #ifndef REFLECTED_MOTION_GLSL
 #define REFLECTED_MOTION_GLSL
 
@@ -36,6 +36,30 @@ vec3 reflectedMotion(Surface s)
         nearest = isNearer ? motions[i].xyz : nearest;
     }
     return nearest * share;
+}
+
+// hitDist: of the pixel, as it is accumulated; 0 = unknown. otherwise: in its place.
+Reflection readReflection(Surface s, float normHitDist, float otherwise)
+{
+    float hitDist = getHitDist(normHitDist, s.viewZ, s.guide.roughness);
+    return Reflection(hitDist > 0.0 ? hitDist : otherwise, reflectedMotion(s));
+}
+
+// The tracking distance of the next frame; below 0: of something that moves.
+float signedTrack(float hitDist, Reflection reflection) { return isMoving(reflection) ? -hitDist : hitDist; }
+
+// Where something stands still now, the history of what has moved on is a ghost. 1 = none of that.
+float vacancyConfidence(Reflection reflection, Footprint footprint)
+{
+#if IS_BOUNDED == 0
+    if (g.hasSpecularMotion != 0u && !isMoving(reflection))
+    {
+        vec2 uv = (vec2(footprint.origin) + 1.0) * g.resourceSizeInvPrev;
+        vec4 tracks = gatherOrder(textureGather(sampler2D(gIn_PrevTrack, gNearestClamp), uv));
+        return 1.0 - dot(footprint.bilinear, vec4(lessThan(tracks, vec4(0.0))));
+    }
+#endif
+    return 1.0;
 }
 
 #endif

@@ -15,7 +15,6 @@ struct Reflector
     float NoD;      // cosine between normal and dominant direction
     float NoV;
     float distanceToCamera;
-    vec3 imageMotion; // of a flat mirror's image: previous position minus now, from mirrorMotion()
 };
 
 // Distance of the image from the surface, positive behind it. curvature: convex > 0. Flat: the hit distance itself.
@@ -33,21 +32,21 @@ float imageDistance(Reflector r, float hitDist, float curvature)
 // A flat mirror's image of what moves.
 vec3 mirrorMotion(vec3 motion, vec3 N) { return motion - 2.0 * dot(motion, N) * N; }
 
-// Size of the image against that of what is reflected: 1 flat, less if convex, negative where it is upside down. The
-// lobe's width counts too: a rough surface has no image.
-float magnification(float along, float hitDist)
-{
-    return clamp(along / (hitDist + kEps), -kMaxMagnification, kMaxMagnification);
-}
-
-// Position, one frame ago, of the image. Images on the surface move with it, images far behind it stay where they are
-// but for what the reflected object does itself: its mirrored motion times the lateral magnification. (Along the view
-// direction the square would be right, which no screen shows.)
+// Position, one frame ago, of the image. Images on the surface move with it, images far behind it stay where they are.
 vec3 virtualPosition(Reflector r, float hitDist, float curvature)
 {
     float along = imageDistance(r, hitDist, curvature);
-    float scale = magnification(along, hitDist);
-    return mix(r.Xprev, r.X, saturate(abs(scale))) - along * r.V + scale * r.imageMotion;
+    float share = saturate(abs(along) / (hitDist + kEps));
+    return mix(r.Xprev, r.X, share) - along * r.V;
+}
+
+// Previous position minus now of the image of what moves by itself: mirrored, times the image's lateral magnification,
+// which is 1 if flat, less if convex, negative where it is upside down. Along the view direction its square would be
+// right, which no screen shows. The lobe's width counts too: a rough surface has no image.
+vec3 imageMotion(Reflector r, float hitDist, float curvature, vec3 motion)
+{
+    float magnification = imageDistance(r, hitDist, curvature) / (hitDist + kEps);
+    return clamp(magnification, -kMaxMagnification, kMaxMagnification) * mirrorMotion(motion, r.N);
 }
 
 // Curvature from a second point of the surface and its normal; convex > 0.
