@@ -39,10 +39,8 @@ InstancePtr makeInstance(const ReplayDenoiser& denoiser, const ReplaySettings& s
     const nrd::Result result = nrd::CreateInstance(desc, raw);
     InstancePtr instance(raw);
     check(result, instance);
-    if (denoiser.family == Family::Reblur)
-        check(nrd::SetDenoiserSettings(*instance, kIdentifier, settings.reblur), instance);
-    if (denoiser.family == Family::Reference)
-        check(nrd::SetDenoiserSettings(*instance, kIdentifier, settings.reference), instance);
+    const auto set = [&](const auto& own) { return nrd::SetDenoiserSettings(*instance, kIdentifier, own); };
+    check(setDenoiserSettings(settings, denoiser.family, set), instance);
     return instance;
 }
 } // namespace

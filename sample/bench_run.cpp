@@ -47,10 +47,8 @@ Run::Run(const RunDesc& desc) : m_desc(desc)
     instance.denoisers = &denoiser;
     instance.denoisersNum = 1;
     check(m_integration.Create(creation, instance), "create the denoiser");
-    if (desc.denoiser.family == Family::Reblur)
-        check(m_integration.SetDenoiserSettings(kIdentifier, settings.reblur), "set the denoiser's settings");
-    if (desc.denoiser.family == Family::Reference)
-        check(m_integration.SetDenoiserSettings(kIdentifier, settings.reference), "set the denoiser's settings");
+    const auto set = [&](const auto& own) { return m_integration.SetDenoiserSettings(kIdentifier, own); };
+    check(setDenoiserSettings(settings, desc.denoiser.family, set), "set the denoiser's settings");
 }
 
 Run::~Run() { vkDeviceWaitIdle(m_desc.device.handle()); }

@@ -53,11 +53,6 @@ glm::vec2 occlusionWeights(const SampleDenoiser& denoiser)
     return lobes / std::max(lobes.x + lobes.y, 1.0f);
 }
 
-nrd::CheckerboardMode checkerboardModeOf(const DenoiseDesc& desc)
-{
-    return desc.denoiser.family == Family::Reblur ? desc.settings.reblur.checkerboardMode : nrd::CheckerboardMode::OFF;
-}
-
 template <class T> std::span<const std::byte> bytesOf(const T& value) { return std::as_bytes(std::span(&value, 1)); }
 } // namespace
 
@@ -104,7 +99,8 @@ void DenoiseStage::createImages()
         if (format == LobeFormat::None) continue;
         m_lobes[static_cast<size_t>(lobe)].emplace(
             m_device, LobeSignalDesc{lobe, format, m_desc.denoiser.family, m_desc.width, m_desc.height,
-                                     hitDistanceParametersOf(m_desc.settings), checkerboardModeOf(m_desc)});
+                                     hitDistanceParametersOf(m_desc.settings),
+                                     checkerboardModeOf(m_desc.settings, m_desc.denoiser.family)});
     }
 }
 
@@ -131,18 +127,8 @@ void DenoiseStage::createIntegration()
 
 void DenoiseStage::applyFamilySettings()
 {
-    constexpr const char* kAction = "set the denoiser's settings";
-    switch (m_desc.denoiser.family)
-    {
-    case Family::Reblur:
-        return check(m_integration.SetDenoiserSettings(kIdentifier, m_desc.settings.reblur), kAction);
-    case Family::Reference:
-        return check(m_integration.SetDenoiserSettings(kIdentifier, m_desc.settings.reference), kAction);
-    case Family::Relax: // its defaults
-    case Family::None:
-    case Family::Sigma: // not in the table of this program
-        return;
-    }
+    const auto set = [&](const auto& own) { return m_integration.SetDenoiserSettings(kIdentifier, own); };
+    check(setDenoiserSettings(m_desc.settings, m_desc.denoiser.family, set), "set the denoiser's settings");
 }
 
 engine::Image* DenoiseStage::denoised(Lobe lobe)

@@ -172,7 +172,8 @@ void checkLobes(const Options& o)
         throw CLI::ValidationError("--checkerboard", "--lobes probabilistic already leaves one lobe per pixel");
     if (o.settings.empty()) return;
     if (o.denoiser->family == Family::None) throw CLI::ValidationError("--set", "there is no denoiser to set up");
-    if (denoiserSettings(o).reblur.checkerboardMode != o.checkerboard)
+    const ReplaySettings settings = denoiserSettings(o);
+    if (settings.reblur.checkerboardMode != o.checkerboard || settings.relax.checkerboardMode != o.checkerboard)
         throw CLI::ValidationError("--set", "checkerboardMode follows from --checkerboard");
 }
 
@@ -198,9 +199,11 @@ void complete(Options& o)
 ReplaySettings denoiserSettings(const Options& options)
 {
     ReplaySettings settings;
-    settings.reblur.checkerboardMode = options.checkerboard;
-    if (options.lobes == Lobes::Probabilistic)
-        settings.reblur.hitDistanceReconstructionMode = nrd::HitDistanceReconstructionMode::AREA_3X3;
+    settings.reblur.checkerboardMode = settings.relax.checkerboardMode = options.checkerboard;
+    const nrd::HitDistanceReconstructionMode mode = options.lobes == Lobes::Probabilistic
+                                                        ? nrd::HitDistanceReconstructionMode::AREA_3X3
+                                                        : nrd::HitDistanceReconstructionMode::OFF;
+    settings.reblur.hitDistanceReconstructionMode = settings.relax.hitDistanceReconstructionMode = mode;
     applySettings(settings, options.denoiser->family, options.settings);
     return settings;
 }

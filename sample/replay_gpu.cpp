@@ -94,10 +94,8 @@ void ReplayGpu::createIntegration()
     instance.denoisersNum = 1;
     check(m_integration.Create(creation, instance), "create the denoiser");
     const ReplaySettings settings = settingsOfFrame();
-    if (m_denoiser.family == Family::Reblur)
-        check(m_integration.SetDenoiserSettings(kIdentifier, settings.reblur), "set the denoiser's settings");
-    if (m_denoiser.family == Family::Reference)
-        check(m_integration.SetDenoiserSettings(kIdentifier, settings.reference), "set the denoiser's settings");
+    const auto set = [&](const auto& own) { return m_integration.SetDenoiserSettings(kIdentifier, own); };
+    check(setDenoiserSettings(settings, m_denoiser.family, set), "set the denoiser's settings");
 }
 
 engine::Image& ReplayGpu::layerImage(Layer layer)
@@ -219,13 +217,14 @@ void ReplayGpu::recordPack(VkCommandBuffer cmd, Slot& slot, const ReplaySettings
     const bool isMix = slot.row.type == nrd::ResourceType::IN_DISOCCLUSION_THRESHOLD_MIX;
     const nrd::HitDistanceParameters& p = settings.reblur.hitDistanceParameters;
     const bool isLobe = slot.row.layer == Layer::Diffuse || slot.row.layer == Layer::Specular;
-    const bool isHalved = isLobe && m_denoiser.family == Family::Reblur;
+    const nrd::CheckerboardMode mode =
+        isLobe ? checkerboardModeOf(settings, m_denoiser.family) : nrd::CheckerboardMode::OFF;
     const PackConstants constants{{p.A * settings.common.metersToUnits, p.B, p.C, 0.0f},
                                   slot.row.mode,
                                   slot.row.isDiffuse,
                                   {static_cast<uint32_t>(m_info.width), static_cast<uint32_t>(m_info.height)},
                                   isMix ? m_desc.disocclusionMix : m_desc.confidence,
-                                  isHalved ? static_cast<uint32_t>(settings.reblur.checkerboardMode) : 0u,
+                                  static_cast<uint32_t>(mode),
                                   settings.common.frameIndex};
     m_packing.pack(cmd, slot.set, constants);
 }

@@ -235,6 +235,12 @@ void assign(const SettingField& target, const std::string& text)
 }
 } // namespace
 
+nrd::CheckerboardMode checkerboardModeOf(const ReplaySettings& settings, Family family)
+{
+    if (family == Family::Reblur) return settings.reblur.checkerboardMode;
+    return family == Family::Relax ? settings.relax.checkerboardMode : nrd::CheckerboardMode::OFF;
+}
+
 std::vector<SettingField> settingFields(ReplaySettings& settings, Family family)
 {
     std::vector<SettingField> fields = commonFields(settings.common);

@@ -27,6 +27,27 @@ struct ReplaySettings
     nrd::ReferenceSettings reference;
 };
 
+// What `set` answers to the family's settings; SUCCESS for a family without any.
+template <class Set> nrd::Result setDenoiserSettings(const ReplaySettings& settings, Family family, const Set& set)
+{
+    switch (family)
+    {
+    case Family::Reblur:
+        return set(settings.reblur);
+    case Family::Relax:
+        return set(settings.relax);
+    case Family::Reference:
+        return set(settings.reference);
+    case Family::None:
+    case Family::Sigma:
+        break;
+    }
+    return nrd::Result::SUCCESS;
+}
+
+// OFF for a family that knows no checkerboard.
+nrd::CheckerboardMode checkerboardModeOf(const ReplaySettings& settings, Family family);
+
 using SettingTarget = std::variant<float*, double*, uint32_t*, uint16_t*, bool*, nrd::AccumulationMode*,
                                    nrd::PrePassMode*, nrd::CheckerboardMode*, nrd::HitDistanceReconstructionMode*>;
 

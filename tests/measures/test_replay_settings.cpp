@@ -77,3 +77,29 @@ TEST_CASE("every field of every settings struct has a row", "[unit]")
     const std::vector<SettingField> reference = settingFields(settings, Family::Reference);
     CHECK(rowValueCount(reference, "") - common == valueCount<nrd::ReferenceSettings>());
 }
+
+TEST_CASE("every family is given its own settings", "[unit]")
+{
+    ReplaySettings settings;
+    settings.reblur.checkerboardMode = nrd::CheckerboardMode::BLACK;
+    settings.relax.checkerboardMode = nrd::CheckerboardMode::WHITE;
+    const void* given = nullptr;
+    const auto set = [&](const auto& own)
+    {
+        given = &own;
+        return nrd::Result::INVALID_ARGUMENT;
+    };
+    const std::pair<Family, const void*> rows[] = {
+        {Family::Reblur, &settings.reblur}, {Family::Relax, &settings.relax}, {Family::Reference, &settings.reference}};
+    for (const auto& [family, expected] : rows)
+    {
+        CHECK(setDenoiserSettings(settings, family, set) == nrd::Result::INVALID_ARGUMENT);
+        CHECK(given == expected);
+    }
+    given = nullptr;
+    CHECK(setDenoiserSettings(settings, Family::None, set) == nrd::Result::SUCCESS);
+    CHECK(given == nullptr);
+    CHECK(checkerboardModeOf(settings, Family::Reblur) == nrd::CheckerboardMode::BLACK);
+    CHECK(checkerboardModeOf(settings, Family::Relax) == nrd::CheckerboardMode::WHITE);
+    CHECK(checkerboardModeOf(settings, Family::Reference) == nrd::CheckerboardMode::OFF);
+}

@@ -183,14 +183,14 @@ TEST_CASE("a replay of a constant signal gives the signal, its files and its rep
     CHECK_THAT(summary.text, containing("constant"));
 }
 
-TEST_CASE("every REBLUR denoiser keeps a constant signal, and each of its signals is measured", "[gpu]")
+TEST_CASE("every REBLUR and RELAX denoiser keeps a constant signal, and each of its signals is measured", "[gpu]")
 {
     Folder folder;
     const std::string capture = makeCapture(folder.path / "capture").string();
     const std::string report = (folder.path / "report.json").string();
     for (const ReplayDenoiser& denoiser : replayDenoisers())
     {
-        if (denoiser.family != Family::Reblur) continue;
+        if (denoiser.family != Family::Reblur && denoiser.family != Family::Relax) continue;
         const std::string name = denoiser.name;
         const Outcome outcome = run(capture + " --denoiser " + name + " --validation --report " + report);
         INFO(name << ": " << outcome.text);

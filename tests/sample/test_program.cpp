@@ -98,7 +98,8 @@ TEST_CASE("every denoiser choice runs", "[program]")
 TEST_CASE("one lobe per pixel is denoised", "[program]")
 {
     for (const char* option : {"--lobes probabilistic", "--checkerboard black", "--checkerboard white"})
-        for (const char* denoiser : {"REBLUR_DIFFUSE_SPECULAR", "REBLUR_DIFFUSE_SPECULAR_SH"})
+        for (const char* denoiser :
+             {"REBLUR_DIFFUSE_SPECULAR", "REBLUR_DIFFUSE_SPECULAR_SH", "RELAX_DIFFUSE_SPECULAR_SH"})
         {
             const std::string arguments = std::string(option) + " --denoiser " + denoiser;
             const Outcome outcome = run("--headless --validation --size 33x17 --frames 4 " + arguments);
