@@ -196,9 +196,7 @@ LobeResult accumulateSpecular(Surface s, SurfaceTrack surface)
     bool isValid;
     Signal signal = readAccumulated(gIn_Specular, gIn_SpecularSh, s.pixel, isValid);
     Reflection reflection = readReflection(s, isValid ? signal.value.w : 0.0, hitDist);
-#if IS_BOUNDED == 0
-    imageStore(gOut_Track, s.pixel, vec4(signedTrack(hitDist, reflection)));
-#endif
+    storeTrack(s.pixel, hitDist, reflection);
     float motion = saturate(length((surface.uv - s.uv) * g.rectSize) / 0.25);
     VirtualTrack image = trackVirtual(s, surface, hitDist, motionCurvature(s, surface), reflection);
     image.stillness *= vacancyConfidence(reflection, surface.footprint);

@@ -1,5 +1,5 @@
 // What IN_SPEC_MV says of a pixel: how what is seen in it moves by itself.
-// Needs gIn_SpecularMotion, gIn_PrevTrack but for occlusion, and the neighbourhood of accumulate.glsl.
+// Needs gIn_SpecularMotion, but for occlusion gIn_PrevTrack and gOut_Track, and the neighbourhood of accumulate.glsl.
 #ifndef REFLECTED_MOTION_GLSL
 #define REFLECTED_MOTION_GLSL
 
@@ -45,8 +45,13 @@ Reflection readReflection(Surface s, float normHitDist, float otherwise)
     return Reflection(hitDist > 0.0 ? hitDist : otherwise, reflectedMotion(s));
 }
 
-// The tracking distance of the next frame; below 0: of something that moves.
-float signedTrack(float hitDist, Reflection reflection) { return isMoving(reflection) ? -hitDist : hitDist; }
+// The tracking distance for the next frame; below 0: of something that moves.
+void storeTrack(ivec2 pixel, float hitDist, Reflection reflection)
+{
+#if IS_BOUNDED == 0
+    imageStore(gOut_Track, pixel, vec4(isMoving(reflection) ? -hitDist : hitDist));
+#endif
+}
 
 // Where something stands still now, the history of what has moved on is a ghost. 1 = none of that.
 float vacancyConfidence(Reflection reflection, Footprint footprint)
