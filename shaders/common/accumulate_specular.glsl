@@ -199,8 +199,8 @@ LobeResult accumulateSpecular(Surface s, SurfaceTrack surface)
     storeTrack(s.pixel, hitDist, reflection);
     float motion = saturate(length((surface.uv - s.uv) * g.rectSize) / 0.25);
     VirtualTrack image = trackVirtual(s, surface, hitDist, motionCurvature(s, surface), reflection);
-    image.stillness *= vacancyConfidence(reflection, surface.footprint);
-    image.confidence *= vacancyConfidence(reflection, image.footprint);
+    image.stillness *= vacancyConfidence(s, reflection, surface.footprint);
+    image.confidence *= vacancyConfidence(s, reflection, image.footprint);
     SpecularLengths lengths = measureLengths(s, surface, image, signal.value.w, motion);
 
     bool isAttached = kHasMaterialTest && s.guide.materialID == g.cameraAttachedMaterialID;

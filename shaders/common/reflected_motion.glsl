@@ -3,6 +3,7 @@
 #ifndef REFLECTED_MOTION_GLSL
 #define REFLECTED_MOTION_GLSL
 
+const float kMaxRoughnessOfOutline = 0.1; // up to here a pixel's samples agree on what it shows
 const float kMaxRoughnessOfImage = 0.25; // up to here what is reflected is followed in full
 const float kMinRoughnessOfBlur = 0.5;   // from here on not at all
 
@@ -53,15 +54,17 @@ void storeTrack(ivec2 pixel, float hitDist, Reflection reflection)
 #endif
 }
 
-// Where something stands still now, the history of what has moved on is a ghost. 1 = none of that.
-float vacancyConfidence(Reflection reflection, Footprint footprint)
+// Where something stands still now, the history of what has moved on is a ghost. 1 = none of that. Wide lobes see both
+// by turns, which is no reason to start anew.
+float vacancyConfidence(Surface s, Reflection reflection, Footprint footprint)
 {
 #if IS_BOUNDED == 0
     if (g.hasSpecularMotion != 0u && !isMoving(reflection))
     {
         vec2 uv = (vec2(footprint.origin) + 1.0) * g.resourceSizeInvPrev;
         vec4 tracks = gatherOrder(textureGather(sampler2D(gIn_PrevTrack, gNearestClamp), uv));
-        return 1.0 - dot(footprint.bilinear, vec4(lessThan(tracks, vec4(0.0))));
+        float share = ramp(kMaxRoughnessOfImage, kMaxRoughnessOfOutline, s.guide.roughness);
+        return 1.0 - share * dot(footprint.bilinear, vec4(lessThan(tracks, vec4(0.0))));
     }
 #endif
     return 1.0;
