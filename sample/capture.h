@@ -25,6 +25,7 @@ enum class Channel : uint8_t
     MotionX, MotionY, MotionZ,
     DiffuseR, DiffuseG, DiffuseB, DiffuseHitDist, DiffuseDX, DiffuseDY, DiffuseDZ,
     SpecularR, SpecularG, SpecularB, SpecularHitDist, SpecularDX, SpecularDY, SpecularDZ,
+    SpecularMX, SpecularMY, SpecularMZ,
     ShadowDist, ShadowR, ShadowG, ShadowB,
     DiffuseFactorR, DiffuseFactorG, DiffuseFactorB,
     SpecularFactorR, SpecularFactorG, SpecularFactorB,

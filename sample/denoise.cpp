@@ -195,6 +195,7 @@ nrd::CommonSettings DenoiseStage::settingsOf(const DenoiseFrame& frame) const
     s.denoisingRange = frame.denoisingRange;
     s.frameIndex = frame.view.frameIndex;
     s.accumulationMode = isCut ? nrd::AccumulationMode::CLEAR_AND_RESTART : nrd::AccumulationMode::CONTINUE;
+    s.isSpecularMotionAvailable = m_desc.isSceneMoving;
     applySettings(settings, m_desc.denoiser.family, m_desc.assignments);
     return s;
 }
@@ -207,6 +208,7 @@ std::vector<SlotImage> DenoiseStage::slots(FrameImages& images)
     std::vector<SlotImage> all = {{ResourceType::IN_MV, &images.motion},
                                   {ResourceType::IN_NORMAL_ROUGHNESS, &m_normalRoughness},
                                   {ResourceType::IN_VIEWZ, &images.viewZ}};
+    if (denoised(Lobe::Specular)) all.emplace_back(ResourceType::IN_SPEC_MV, &images.specularMotion);
     for (auto& lobe : m_lobes)
     {
         if (!lobe) continue;

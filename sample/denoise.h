@@ -15,6 +15,7 @@ struct DenoiseDesc
     uint32_t framesInFlight = 2;
     ReplaySettings settings;             // of the denoiser's family; those of a frame are made anew for each
     std::vector<Assignment> assignments; // --set, for the settings of a frame
+    bool isSceneMoving = false;          // what reflections show may move on its own
 };
 
 /// What changes from frame to frame.

@@ -90,6 +90,7 @@ void PathTracer::createImages()
         {&m_images.direct, "traced direct"},
         {&m_images.diffuseOrigin, "traced diffuse origin"},
         {&m_images.specularOrigin, "traced specular origin"},
+        {&m_images.specularMotion, "traced specular motion"},
         {&m_sumDiffuse, "reference diffuse"},
         {&m_sumSpecular, "reference specular"}};
     for (const auto& [image, name] : vectors) *image = create(name, VK_FORMAT_R32G32B32A32_SFLOAT);
@@ -123,7 +124,7 @@ PathTracer::Program PathTracer::createProgram(const Scene& scene, const Environm
     desc.byteSize = blob.byteSize;
     desc.bindings.assign(kSceneBindings, VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER);
     desc.bindings[0] = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
-    desc.bindings.resize(kSceneBindings + (mode == 0 ? 12 : 2), VK_DESCRIPTOR_TYPE_STORAGE_IMAGE);
+    desc.bindings.resize(kSceneBindings + (mode == 0 ? 13 : 2), VK_DESCRIPTOR_TYPE_STORAGE_IMAGE);
     desc.setCount = kSlotCount;
     desc.specialization = specializationOf(scene, environment != nullptr, mode == 0 ? m_desc : TracerDesc());
     return {engine::ComputePipeline(m_device, desc), std::vector<VkDescriptorSet>(kSlotCount, VK_NULL_HANDLE)};
@@ -179,7 +180,8 @@ void PathTracer::recordFrame(VkCommandBuffer cmd, const View& view)
                                                  &i.specularFactor,
                                                  &i.direct,
                                                  &i.diffuseOrigin,
-                                                 &i.specularOrigin};
+                                                 &i.specularOrigin,
+                                                 &i.specularMotion};
     record(cmd, m_frame, targets, view, glm::uvec4(m_desc.seed, view.frameIndex, 1, 1));
 }
 

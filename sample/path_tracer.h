@@ -47,6 +47,7 @@ struct FrameImages
     engine::Image diffuseFactor;
     engine::Image specularFactor;
     engine::Image direct;
+    engine::Image specularMotion; // of what the specular path hits first; .w: 0 without a sample
     // Not in captures. Where a sample's radiance comes from: between the directions of the bounce and of the light that
     // was sampled at the surface, by luminance; up to unit length.
     engine::Image diffuseOrigin;

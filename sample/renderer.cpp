@@ -27,10 +27,10 @@ TracerDesc tracerDesc(const Options& options)
     return desc;
 }
 
-DenoiseDesc denoiseDesc(const Options& options)
+DenoiseDesc denoiseDesc(const Options& options, const Scene& scene)
 {
-    return {*options.denoiser,         options.width,   options.height, kFramesInFlight,
-            denoiserSettings(options), options.settings};
+    return {*options.denoiser,         options.width,    options.height,         kFramesInFlight,
+            denoiserSettings(options), options.settings, !scene.channels.empty()};
 }
 
 const Environment* environmentOf(const Stage& stage) { return stage.environment ? &*stage.environment : nullptr; }
@@ -97,8 +97,8 @@ Stage loadStage(const Options& options)
 
 Renderer::Renderer(const engine::Device& device, const Stage& stage, const Options& options)
     : m_device(device), m_stage(stage), m_options(options), m_pose(stage.scene),
-      m_tracer(device, stage.scene, environmentOf(stage), tracerDesc(options)), m_denoise(device, denoiseDesc(options)),
-      m_ring(device, kFramesInFlight)
+      m_tracer(device, stage.scene, environmentOf(stage), tracerDesc(options)),
+      m_denoise(device, denoiseDesc(options, stage.scene)), m_ring(device, kFramesInFlight)
 {
     const float aspect = float(options.width) / float(options.height);
     if (!findCamera(stage.scene, m_pose, aspect)) m_framing = frameBounds(m_pose.bounds(), aspect);
@@ -148,6 +148,8 @@ Planes Renderer::readFrame()
     planes.set(Channel::DiffuseDX, readPicture(m_device, images.diffuseDirection), 3);
     planes.set(Channel::SpecularR, readPicture(m_device, images.specular), 4);
     planes.set(Channel::SpecularDX, readPicture(m_device, images.specularDirection), 3);
+    if (!m_stage.scene.channels.empty())
+        planes.set(Channel::SpecularMX, readPicture(m_device, images.specularMotion), 3);
     planes.set(Channel::DiffuseFactorR, readPicture(m_device, images.diffuseFactor), 3);
     planes.set(Channel::SpecularFactorR, readPicture(m_device, images.specularFactor), 3);
     planes.set(Channel::DirectR, readPicture(m_device, images.direct), 3);

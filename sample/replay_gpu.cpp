@@ -199,6 +199,7 @@ ReplaySettings ReplayGpu::settingsOfFrame() const
 {
     ReplaySettings settings;
     settings.common = commonSettingsOf(m_info, m_frameIndex);
+    settings.common.isSpecularMotionAvailable = m_desc.capture.has(Channel::SpecularMX);
     settings.reblur.hitDistanceParameters = hitDistanceParametersOf(m_info);
     applySettings(settings, m_denoiser.family, m_desc.settings);
     return settings;

@@ -65,6 +65,7 @@ std::vector<SettingField> commonFields(nrd::CommonSettings& s)
         field("enableCutDetection", s.enableCutDetection),
         field("isHistoryConfidenceAvailable", s.isHistoryConfidenceAvailable),
         field("isDisocclusionThresholdMixAvailable", s.isDisocclusionThresholdMixAvailable),
+        field("isSpecularMotionAvailable", s.isSpecularMotionAvailable),
         field("enableValidation", s.enableValidation),
     };
 }

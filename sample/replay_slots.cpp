@@ -56,6 +56,7 @@ constexpr SlotRow kSlots[] = {
     in(ResourceType::IN_DIFF_CONFIDENCE, Family::None, kR16,    {},            REPLAY_PACK_CONSTANT),
     in(ResourceType::IN_SPEC_CONFIDENCE, Family::None, kR16,    {},            REPLAY_PACK_CONSTANT),
     in(ResourceType::IN_DISOCCLUSION_THRESHOLD_MIX, Family::None, kR16, {},    REPLAY_PACK_CONSTANT),
+    in(ResourceType::IN_SPEC_MV, Family::None, kRgba16, Layer::SpecularMotion, REPLAY_PACK_COPY),
     in(ResourceType::IN_DIFF_RADIANCE_HITDIST, kReblur, kRgba16, Layer::Diffuse,  REPLAY_PACK_REBLUR_RADIANCE),
     in(ResourceType::IN_SPEC_RADIANCE_HITDIST, kReblur, kRgba16, Layer::Specular, REPLAY_PACK_REBLUR_RADIANCE),
     in(ResourceType::IN_DIFF_HITDIST,          kReblur, kR16,    Layer::Diffuse,  REPLAY_PACK_REBLUR_HITDIST),
@@ -115,6 +116,8 @@ constexpr LayerRow kLayers[] = {
     {Layer::Specular, {Channel::SpecularR, Channel::SpecularG, Channel::SpecularB, Channel::SpecularHitDist}, 4},
     {Layer::DiffuseDirection,  {Channel::DiffuseDX, Channel::DiffuseDY, Channel::DiffuseDZ}, 3},
     {Layer::SpecularDirection, {Channel::SpecularDX, Channel::SpecularDY, Channel::SpecularDZ}, 3},
+    {Layer::SpecularMotion,
+     {Channel::SpecularMX, Channel::SpecularMY, Channel::SpecularMZ, Channel::SpecularHitDist}, 4},
 };
 // clang-format on
 

@@ -18,6 +18,7 @@ enum class Layer : uint8_t
     Specular, // radiance, hit distance
     DiffuseDirection,
     SpecularDirection,
+    SpecularMotion, // of what is reflected, hit distance: 0 where the pixel has no sample
     Count
 };
 inline constexpr size_t kLayerCount = static_cast<size_t>(Layer::Count);

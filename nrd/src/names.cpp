@@ -50,6 +50,7 @@ constexpr NameRow<ResourceType> kResourceTypeNames[] = {
     {ResourceType::IN_DIFF_CONFIDENCE, "IN_DIFF_CONFIDENCE"},
     {ResourceType::IN_SPEC_CONFIDENCE, "IN_SPEC_CONFIDENCE"},
     {ResourceType::IN_DISOCCLUSION_THRESHOLD_MIX, "IN_DISOCCLUSION_THRESHOLD_MIX"},
+    {ResourceType::IN_SPEC_MV, "IN_SPEC_MV"},
     {ResourceType::IN_DIFF_RADIANCE_HITDIST, "IN_DIFF_RADIANCE_HITDIST"},
     {ResourceType::IN_SPEC_RADIANCE_HITDIST, "IN_SPEC_RADIANCE_HITDIST"},
     {ResourceType::IN_DIFF_HITDIST, "IN_DIFF_HITDIST"},

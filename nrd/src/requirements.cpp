@@ -37,6 +37,7 @@ Format minFormat(ResourceType type, const CommonSettings& common, NormalEncoding
     case ResourceType::IN_SIGNAL:
     case ResourceType::OUT_SIGNAL:
         return Format::R8_UNORM;
+    case ResourceType::IN_SPEC_MV:
     case ResourceType::IN_DIFF_RADIANCE_HITDIST:
     case ResourceType::IN_SPEC_RADIANCE_HITDIST:
     case ResourceType::IN_DIFF_SH0:

@@ -18,13 +18,15 @@ struct PathSums
     float specularDistance;
     vec3 diffuseDirection;  // of the last sample
     vec3 specularDirection;
+    vec3 specularMotion;    // of what the last sample hit: previous position minus now
     vec3 diffuseOrigin;     // where the radiance of the last sample comes from
     vec3 specularOrigin;
 };
 
 PathSums noPaths()
 {
-    return PathSums(vec3(0.0), vec3(0.0), 0.0, 0.0, 0.0, 0.0, vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0));
+    return PathSums(vec3(0.0), vec3(0.0), 0.0, 0.0, 0.0, 0.0, vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0),
+                    vec3(0.0));
 }
 
 float powerHeuristic(float a, float b)
@@ -60,6 +62,7 @@ struct Path
     vec3 firstDirection;
     vec3 firstLight; // direction to the light sampled at the primary surface, times the luminance that came from it
     float firstDistance;
+    vec3 firstMotion; // of the first hit
     float spread; // radians the ray widens by
     float width;  // of the ray, world units
     float blur;   // largest roughness on the way, 1 for a diffuse bounce
@@ -68,7 +71,7 @@ struct Path
 Path startPath(Surface primary, Bsdf bsdf, uint lobes, uint index, uint seed, float width)
 {
     return Path(primary, bsdf, lobes, lobes, 0u, hash(seed ^ (lobes * 0x9E3779B9u)), index, vec3(1.0), vec3(0.0),
-                vec3(0.0), vec3(0.0), 0.0, g.frustum.z, width, 0.0);
+                vec3(0.0), vec3(0.0), 0.0, vec3(0.0), g.frustum.z, width, 0.0);
 }
 
 // Light that reaches this vertex directly.
@@ -113,6 +116,7 @@ bool advance(inout Path path, vec3 direction, float pdf, bool isAlive)
         // A sample that points into its own surface is a contact, not "no sample".
         path.firstDistance = !isAlive ? 1e-3 : isMiss ? kMiss : clamp(hit.t, 1e-4, 65000.0);
         path.firstDirection = direction;
+        if (kHasMotion && isAlive && !isMiss) path.firstMotion = fetchMotion(hit);
     }
     if (kHasEnvironment && isAlive && isMiss)
     {
@@ -176,6 +180,7 @@ void finishPath(inout PathSums sums, Path path, Split split, vec2 hitDistanceSca
         sums.specularDistance = path.firstDistance;
         sums.specularDirection = path.firstDirection;
         sums.specularOrigin = originOf(path);
+        sums.specularMotion = path.firstMotion;
         return;
     }
     sums.diffuse += demodulated;

@@ -18,6 +18,7 @@ layout(set = 0, binding = 18) uniform writeonly image2D gOut_SpecularFactor;
 layout(set = 0, binding = 19) uniform writeonly image2D gOut_Direct;
 layout(set = 0, binding = 20) uniform writeonly image2D gOut_DiffuseOrigin;
 layout(set = 0, binding = 21) uniform writeonly image2D gOut_SpecularOrigin;
+layout(set = 0, binding = 22) uniform writeonly image2D gOut_SpecularMotion; // .w: 0 without a sample
 #else
 layout(set = 0, binding = 10, rgba32f) uniform image2D gSum_Diffuse; // .w: normalised hit distance
 layout(set = 0, binding = 11, rgba32f) uniform image2D gSum_Specular;
@@ -73,6 +74,7 @@ void main()
     imageStore(gOut_Direct, pixel, vec4(direct, 0.0));
     imageStore(gOut_DiffuseOrigin, pixel, vec4(sums.diffuseOrigin, 0.0));
     imageStore(gOut_SpecularOrigin, pixel, vec4(sums.specularOrigin, 0.0));
+    imageStore(gOut_SpecularMotion, pixel, vec4(sums.specularMotion, sums.specularDistance > 0.0 ? 1.0 : 0.0));
 #else
     vec4 diffuse = vec4(sums.diffuse, sums.diffuseHit), specular = vec4(sums.specular, sums.specularHit);
     if (g.sampling.w == 0u)

@@ -1,6 +1,7 @@
 // Temporal accumulation of the specular lobe: two tracks, their confidences, and the choice between them.
 #ifndef ACCUMULATE_SPECULAR_GLSL
 #define ACCUMULATE_SPECULAR_GLSL
+#include "reflected_motion.glsl"
 
 const float kCurvaturePlaneSensitivity = 0.04;
 
@@ -153,7 +154,8 @@ SpecularLengths measureLengths(Surface s, SurfaceTrack surface, VirtualTrack ima
     vec2 responsive = vec2(responsiveLength(roughness, dot(surface.NoN, surface.footprint.bilinear)),
                            responsiveLength(roughness, image.NoN));
     SpecularLengths lengths;
-    lengths.trust = vec2(surfaceConfidence(s, surface, roughness, normHitDist, motion), image.confidence);
+    float surfaceTrust = surfaceConfidence(s, surface, roughness, normHitDist, motion) * image.stillness;
+    lengths.trust = vec2(surfaceTrust, image.confidence);
     n = min(n, g.maxAccumulatedFrameNum.y * lengths.trust);
     // Responsiveness alone must not trigger the history fix, so the length that is passed on is capped more mildly.
     lengths.nFix = min(n, max(responsive, vec2(g.historyFixFrameNum)));
@@ -170,21 +172,39 @@ float specularFastWeight(Surface s, float n, float trust, float share)
     return max(1.0 - trust, newSampleWeight(min(n, longest)) * share);
 }
 
+#if IS_RELAX
+// Keeps how far the reprojection is trusted for the passes that follow. No variance yet is no certainty.
+Signal storeConfidence(ivec2 pixel, Signal mixed, float confidence)
+{
+    imageStore(gOut_Confidence, pixel, vec4(confidence));
+    if (mixed.value.w == 0.0)
+        mixed.value.w = min(g.relaxVarianceBoost * (1.0 - confidence) / max(square(luma(mixed)), 1e-12), NRD_FP16_MAX);
+    return mixed;
+}
+#endif
+
+// What is reflected moves without noise: unlike the surface's, none of its motion is too small to be followed.
+float apparentMotion(VirtualTrack image, float motion)
+{
+    return max(motion, saturate(length(image.reflectedShift * g.rectSize) * 64.0));
+}
+
 LobeResult accumulateSpecular(Surface s, SurfaceTrack surface)
 {
     LobeResult result;
     float hitDist = trackingDistance(s);
-#if IS_BOUNDED == 0
-    imageStore(gOut_Track, s.pixel, vec4(hitDist));
-#endif
     bool isValid;
     Signal signal = readAccumulated(gIn_Specular, gIn_SpecularSh, s.pixel, isValid);
+    Reflection reflection = readReflection(s, isValid ? signal.value.w : 0.0, hitDist);
+    storeTrack(s.pixel, hitDist, reflection);
     float motion = saturate(length((surface.uv - s.uv) * g.rectSize) / 0.25);
-    VirtualTrack image = trackVirtual(s, surface, hitDist, motionCurvature(s, surface));
+    VirtualTrack image = trackVirtual(s, surface, hitDist, motionCurvature(s, surface), reflection);
+    image.stillness *= vacancyConfidence(s, reflection, surface.footprint);
+    image.confidence *= vacancyConfidence(s, reflection, image.footprint);
     SpecularLengths lengths = measureLengths(s, surface, image, signal.value.w, motion);
 
     bool isAttached = kHasMaterialTest && s.guide.materialID == g.cameraAttachedMaterialID;
-    float amount = virtualAmount(lengths.n.y, lengths.n.x) * (isAttached ? 1.0 : motion);
+    float amount = virtualAmount(lengths.n.y, lengths.n.x) * (isAttached ? 1.0 : apparentMotion(image, motion));
     // A position between two different surfaces would smear.
     if (!surface.isCubic || !image.isCubic) amount = amount >= 0.5 ? 1.0 : 0.0;
     showVirtualAmount(s.pixel, amount);
@@ -195,17 +215,14 @@ LobeResult accumulateSpecular(Surface s, SurfaceTrack surface)
     if (!isValid) signal = history;
     float share = dataShare(s.pixel, true, n);
     Signal mixed = mixHistory(history, signal, n, share, s.guide.roughness);
+    float trust = mix(lengths.trust.x, lengths.trust.y, amount);
 #if IS_RELAX
     // After a cut the textures of the last frame must not tell, not even by how little they are trusted.
-    float confidence = isHistoryReset() ? 0.0 : mix(lengths.trust.x, lengths.trust.y, amount);
-    imageStore(gOut_Confidence, s.pixel, vec4(confidence));
-    // No variance yet is no certainty.
-    if (mixed.value.w == 0.0)
-        mixed.value.w = min(g.relaxVarianceBoost * (1.0 - confidence) / max(square(luma(mixed)), 1e-12), NRD_FP16_MAX);
+    mixed = storeConfidence(s.pixel, mixed, isHistoryReset() ? 0.0 : trust);
 #endif
     storeSignal(gOut_Specular, gOut_SpecularSh, s.pixel, mixed);
     float fastHistory = fetchBilinear(gIn_Fast, read.origin, read.weights, lastPrevTexel())[kSpecularChannel];
-    float fastWeight = specularFastWeight(s, n, mix(lengths.trust.x, lengths.trust.y, amount), share);
+    float fastWeight = specularFastWeight(s, n, trust, share);
     result.fast = limitFast(mixFast(fastHistory, luma(signal), fastWeight), luma(history), n);
     result.noisy = luma(signal);
     result.stabHistory = readStabilized(kSpecularChannel, read);

@@ -10,7 +10,8 @@
 #define FIRST_SCALAR (FIRST_HISTORY + SIGNAL_NUM)
 #define FIRST_TRACK (FIRST_SCALAR + 1 + IS_STABILIZED)
 #define HAS_TRACK (HAS_SPECULAR * (1 - IS_BOUNDED))
-#define FIRST_OUT (FIRST_TRACK + HAS_SPECULAR + HAS_TRACK)
+#define SPECULAR_MOTION (FIRST_TRACK + HAS_SPECULAR + HAS_TRACK)
+#define FIRST_OUT (SPECULAR_MOTION + HAS_SPECULAR)
 #define FIRST_SCALAR_OUT (FIRST_OUT + SIGNAL_NUM)
 
 layout(local_size_x = 8, local_size_y = 16) in;
@@ -45,6 +46,7 @@ layout(set = SET_RESOURCES, binding = FIRST_TRACK) uniform texture2D gIn_TrackNe
 layout(set = SET_RESOURCES, binding = FIRST_TRACK + 1) uniform texture2D gIn_PrevTrack;
 layout(set = SET_RESOURCES, binding = FIRST_SCALAR_OUT + 2 + 2 * IS_STABILIZED) uniform writeonly image2D gOut_Track;
 #endif
+layout(set = SET_RESOURCES, binding = SPECULAR_MOTION) uniform texture2D gIn_SpecularMotion;
 layout(set = SET_RESOURCES, binding = FIRST_OUT + LOBE_NUM - 1) uniform writeonly image2D gOut_Specular;
 #if IS_SH
 layout(set = SET_RESOURCES, binding = FIRST_SIGNAL + 2 * LOBE_NUM - 1) uniform texture2D gIn_SpecularSh;

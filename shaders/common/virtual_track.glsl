@@ -9,10 +9,20 @@
 const float kMaxVirtualAcceleration = 5.0; // of a concave image against the surface's motion
 const float kRoughnessSensitivity = 0.003;
 
+// What is seen in the surface.
+struct Reflection
+{
+    float hitDist; // world units
+    vec3 motion;   // world, previous position minus now
+};
+
+bool isMoving(Reflection reflection) { return any(notEqual(reflection.motion, vec3(0.0))); }
+
 struct VirtualTrack
 {
     vec2 uv;
     float distanceToSurface; // pixels between the two tracks
+    vec2 reflectedShift;     // uv the image moves because what is reflected does
     Footprint footprint;
     vec4 valid;
     vec4 weights;
@@ -20,6 +30,7 @@ struct VirtualTrack
     bool isCubic;
     float quality;
     float confidence;
+    float stillness; // of what is reflected: confidence in the other track
     float n;
 };
 
@@ -42,6 +53,26 @@ Reflector makeReflector(Surface s, SurfaceTrack track)
     r.NoV = s.NoV;
     r.distanceToCamera = length(s.X);
     return r;
+}
+
+// On the previous screen, by what is reflected. `hitDist` is the pixel's own: the nearest of the neighbourhood, which
+// the image's place needs, would make every motion look greater.
+vec2 reflectedShift(Reflector r, Reflection reflection, float curvature)
+{
+    if (!isMoving(reflection)) return vec2(0.0);
+    vec3 position = virtualPosition(r, reflection.hitDist, curvature);
+    vec3 motion = imageMotion(r, reflection.hitDist, curvature, reflection.motion);
+    return projectToUv(g.worldToClipPrev, position + motion) - projectToUv(g.worldToClipPrev, position);
+}
+
+// The surface keeps a reflection only as long as what is reflected stays within a new sample's share of the lobe.
+float stillnessConfidence(Surface s, Reflector r, Reflection reflection, float n)
+{
+    if (!isMoving(reflection)) return 1.0;
+    vec3 motion = mirrorMotion(reflection.motion, s.guide.N);
+    float turn = atan(length(motion - dot(motion, r.V) * r.V) / max(reflection.hitDist, 1e-6));
+    float allowed = atan(lobeTangent(s.guide.roughness, 0.75) * newSampleWeight(n));
+    return square(square(ramp(max(allowed, normalEncodingError(kNormalEncoding)), 0.0, turn)));
 }
 
 // A concave mirror near its focus magnifies without bound; beyond a limit the reflection is taken as flat.
@@ -121,7 +152,7 @@ float previousHitDist(Surface s, vec2 uv)
     float history = decodeValue(textureLod(sampler2D(gIn_SpecularHistory, gLinearClamp), uv, 0.0)).w;
     return getHitDist(history, s.viewZ, s.guide.roughness);
 #else
-    return textureLod(sampler2D(gIn_PrevTrack, gLinearClamp), uv, 0.0).x;
+    return abs(textureLod(sampler2D(gIn_PrevTrack, gLinearClamp), uv, 0.0).x);
 #endif
 }
 
@@ -130,7 +161,7 @@ float parallaxConfidence(Surface s, Reflector r, VirtualTrack track, float hitDi
 {
     vec2 uv = track.uv * g.rectSizePrev * g.resourceSizeInvPrev;
     float previous = previousHitDist(s, uv);
-    vec2 image = projectToUv(g.worldToClipPrev, virtualPosition(r, previous, curvature));
+    vec2 image = projectToUv(g.worldToClipPrev, virtualPosition(r, previous, curvature)) + track.reflectedShift;
     float moved = length((image - track.uv) * g.rectSize);
     float imageZ = length(virtualPosition(r, hitDist, curvature));
     float footprint = 0.5 * min(hitDist, previous) * lobeTan / max(getPixelSize(imageZ), 1e-15);
@@ -138,13 +169,17 @@ float parallaxConfidence(Surface s, Reflector r, VirtualTrack track, float hitDi
     return ramp(max(max(footprint, 0.1 * s.guide.roughness), 1e-3), 0.0, moved);
 }
 
-VirtualTrack trackVirtual(Surface s, SurfaceTrack surface, float hitDist, float curvature)
+// hitDist: of the neighbourhood's nearest reflection; `reflection` is the pixel's own.
+VirtualTrack trackVirtual(Surface s, SurfaceTrack surface, float hitDist, float curvature, Reflection reflection)
 {
     VirtualTrack track;
     Reflector r = makeReflector(s, surface);
     curvature = limitConcavity(r, surface, hitDist, curvature);
     bool isAttached = kHasMaterialTest && s.guide.materialID == g.cameraAttachedMaterialID;
     track.uv = isAttached ? surface.uv : projectToUv(g.worldToClipPrev, virtualPosition(r, hitDist, curvature));
+    track.reflectedShift = isAttached ? vec2(0.0) : reflectedShift(r, reflection, curvature);
+    track.stillness = isAttached ? 1.0 : stillnessConfidence(s, r, reflection, surface.n[kSpecularChannel]);
+    track.uv += track.reflectedShift;
     track.distanceToSurface = length((track.uv - surface.uv) * g.rectSizePrev);
     track.footprint = makeFootprint(clamp(track.uv, -1.0, 2.0) * g.rectSizePrev);
     vec4 roughnessWeights, previousGuide;

@@ -3,6 +3,8 @@
 #define VIRTUAL_MOTION_GLSL
 #include "geometry.glsl"
 
+const float kMaxMagnification = 5.0; // near a concave mirror's focus the image's motion has no bound
+
 struct Reflector
 {
     vec3 X;         // now
@@ -27,12 +29,24 @@ float imageDistance(Reflector r, float hitDist, float curvature)
     return -r.factor * hitDist / (denominator * silhouette);
 }
 
+// A flat mirror's image of what moves.
+vec3 mirrorMotion(vec3 motion, vec3 N) { return motion - 2.0 * dot(motion, N) * N; }
+
 // Position, one frame ago, of the image. Images on the surface move with it, images far behind it stay where they are.
 vec3 virtualPosition(Reflector r, float hitDist, float curvature)
 {
     float along = imageDistance(r, hitDist, curvature);
     float share = saturate(abs(along) / (hitDist + kEps));
     return mix(r.Xprev, r.X, share) - along * r.V;
+}
+
+// Previous position minus now of the image of what moves by itself: mirrored, times the image's lateral magnification,
+// which is 1 if flat, less if convex, negative where it is upside down. Along the view direction its square would be
+// right, which no screen shows. The lobe's width counts too: a rough surface has no image.
+vec3 imageMotion(Reflector r, float hitDist, float curvature, vec3 motion)
+{
+    float magnification = imageDistance(r, hitDist, curvature) / (hitDist + kEps);
+    return clamp(magnification, -kMaxMagnification, kMaxMagnification) * mirrorMotion(motion, r.N);
 }
 
 // Curvature from a second point of the surface and its normal; convex > 0.

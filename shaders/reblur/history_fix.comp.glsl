@@ -296,7 +296,7 @@ void main()
     Lobe specular = Lobe(p.guide.roughness, g.minMaterialForSpecular, 0.0);
     float tracking = 0.0;
 #if HAS_TRACK
-    tracking = texelFetch(gIn_Track, position, 0).x;
+    tracking = abs(texelFetch(gIn_Track, position, 0).x);
 #endif
     signals[kSpecularChannel] = fixHistory(gIn_Specular, gIn_SpecularSh, p, specular, true, position,
                                            n[kSpecularChannel], amount[kSpecularChannel], tracking);

@@ -64,8 +64,8 @@ Figures printRun(nrd::Denoiser denoiser, bool hasFireflies, bool hasAntiFirefly)
 }
 } // namespace
 
-// The aims are a mean within 2 % and nothing brighter than twice the mean with fireflies too: T(2) is 0.10 above T(1),
-// less than the noise leaves. Neither is reached yet: the pre-pass spreads a firefly over its neighbourhood before
+// The aims are a mean within 2 % and nothing brighter than twice the mean with fireflies too: T(2) is 0.10 above T(1).
+// Neither is reached yet: the pre-pass spreads a firefly over its neighbourhood before
 // anything limits it. Printed above; checked here is what holds.
 TEST_CASE("anti-firefly dims fireflies, and costs no energy where there are none", "[gpu]")
 {

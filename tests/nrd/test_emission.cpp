@@ -183,6 +183,7 @@ TEST_CASE("settings pick the pipeline and the optional inputs", "[unit]")
 
     steady.common.isHistoryConfidenceAvailable = true;
     steady.common.isDisocclusionThresholdMixAvailable = true;
+    steady.common.isSpecularMotionAvailable = true;
     steady.common.strandMaterialID = 2;
     ReblurSettings settings;
     settings.diffusePrepassBlurRadius = settings.specularPrepassBlurRadius = 0.0f;
@@ -194,8 +195,8 @@ TEST_CASE("settings pick the pipeline and the optional inputs", "[unit]")
     CHECK(specializationOf(pipelines[all.pipelineIndex], 6) == 1);
     CHECK(all.resourcesNum == plain.resourcesNum);
     for (ResourceType type : {ResourceType::IN_DIFF_CONFIDENCE, ResourceType::IN_SPEC_CONFIDENCE,
-                              ResourceType::IN_DISOCCLUSION_THRESHOLD_MIX, ResourceType::IN_DIFF_RADIANCE_HITDIST,
-                              ResourceType::IN_SPEC_RADIANCE_HITDIST})
+                              ResourceType::IN_DISOCCLUSION_THRESHOLD_MIX, ResourceType::IN_SPEC_MV,
+                              ResourceType::IN_DIFF_RADIANCE_HITDIST, ResourceType::IN_SPEC_RADIANCE_HITDIST})
     {
         INFO(toString(type));
         CHECK(findUser(all, type));
@@ -234,7 +235,7 @@ TEST_CASE("ping-pong textures change places with every request of their denoiser
         const std::vector<DispatchDesc> dispatches = requestFrame(*steady.instance, steady.common, {identifier});
         const DispatchDesc* pass = findPass(dispatches, "Temporal accumulation");
         const uint32_t readNum = desc.pipelines[pass->pipelineIndex].texturesNum;
-        return std::make_pair(pass->resources[readNum - 1].indexInPool,
+        return std::make_pair(pass->resources[readNum - 2].indexInPool, // the last is IN_SPEC_MV
                               pass->resources[pass->resourcesNum - 2].indexInPool); // the last is the overlay's
     };
     const auto first = track(0), second = track(0);

@@ -70,6 +70,7 @@ std::vector<DispatchDesc> requestEverything(Instance& instance, Denoiser denoise
     CommonSettings common = commonOfSize();
     common.splitScreen = 0.5f;
     common.isHistoryConfidenceAvailable = common.isDisocclusionThresholdMixAvailable = true;
+    common.isSpecularMotionAvailable = true;
     ReblurSettings reblur;
     RelaxSettings relax;
     reblur.enableAntiFirefly = relax.enableAntiFirefly = true;

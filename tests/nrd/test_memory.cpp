@@ -141,6 +141,7 @@ TEST_CASE("what is reserved is enough for every denoiser with everything on", "[
     CommonSettings common = makeCommon();
     common.splitScreen = 0.5f;
     common.isHistoryConfidenceAvailable = common.isDisocclusionThresholdMixAvailable = true;
+    common.isSpecularMotionAvailable = true;
     common.enableValidation = true;
     const std::vector<DispatchDesc> dispatches = requestFrame(*instance, common, kFourIdentifiers);
 

@@ -35,9 +35,10 @@ TEST_CASE("the order of the public enumerations is that of the interface", "[uni
     CHECK(static_cast<uint32_t>(Denoiser::REBLUR_DIFFUSE_SPECULAR) == 6);
     CHECK(static_cast<uint32_t>(Denoiser::RELAX_DIFFUSE) == 10);
     CHECK(static_cast<uint32_t>(Denoiser::REFERENCE) == 18);
-    CHECK(static_cast<uint32_t>(ResourceType::IN_DIFF_RADIANCE_HITDIST) == 6);
-    CHECK(static_cast<uint32_t>(ResourceType::OUT_DIFF_RADIANCE_HITDIST) == 18);
-    CHECK(static_cast<uint32_t>(ResourceType::PERMANENT_POOL) == 31);
+    CHECK(static_cast<uint32_t>(ResourceType::IN_SPEC_MV) == 6);
+    CHECK(static_cast<uint32_t>(ResourceType::IN_DIFF_RADIANCE_HITDIST) == 7);
+    CHECK(static_cast<uint32_t>(ResourceType::OUT_DIFF_RADIANCE_HITDIST) == 19);
+    CHECK(static_cast<uint32_t>(ResourceType::PERMANENT_POOL) == 32);
 }
 
 TEST_CASE("frame numbers come from time", "[unit]")

@@ -27,6 +27,7 @@ TEST_CASE("requirements name what the emitted passes bind, inputs first", "[unit
     CommonSettings common = makeCommon();
     common.isHistoryConfidenceAvailable = true;
     common.isDisocclusionThresholdMixAvailable = true;
+    common.isSpecularMotionAvailable = true;
     const std::vector<DispatchDesc> dispatches = requestFrame(*instance, common);
     std::map<ResourceType, bool> bound;
     for (const DispatchDesc& dispatch : dispatches)
@@ -60,16 +61,21 @@ TEST_CASE("optional inputs are listed as optional until the settings ask for the
     auto list = byType(*instance);
     REQUIRE(list.count(ResourceType::IN_SPEC_CONFIDENCE) == 1);
     CHECK_FALSE(list[ResourceType::IN_SPEC_CONFIDENCE].isRequired);
+    REQUIRE(list.count(ResourceType::IN_SPEC_MV) == 1);
+    CHECK_FALSE(list[ResourceType::IN_SPEC_MV].isRequired);
     CHECK(list[ResourceType::IN_MV].isRequired);
     CHECK(list[ResourceType::IN_MV].minFormat == Format::RG16_SFLOAT);
     CHECK(list[ResourceType::IN_NORMAL_ROUGHNESS].minFormat == Format::A2B10G10R10_UNORM_PACK32);
     CHECK(list[ResourceType::OUT_DIFF_RADIANCE_HITDIST].descriptorType == DescriptorType::STORAGE_TEXTURE);
 
     common.isHistoryConfidenceAvailable = true;
+    common.isSpecularMotionAvailable = true;
     common.isMotionVectorInWorldSpace = true;
     REQUIRE(SetCommonSettings(*instance, common) == Result::SUCCESS);
     list = byType(*instance);
     CHECK(list[ResourceType::IN_SPEC_CONFIDENCE].isRequired);
+    CHECK(list[ResourceType::IN_SPEC_MV].isRequired);
+    CHECK(list[ResourceType::IN_SPEC_MV].minFormat == Format::RGBA16_SFLOAT);
     CHECK(list[ResourceType::IN_MV].minFormat == Format::RGBA16_SFLOAT);
 
     common.splitScreen = 1.0f;

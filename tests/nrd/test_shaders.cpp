@@ -262,6 +262,7 @@ TEST_CASE("constants lie at the same offsets in C++ and in SPIR-V", "[unit]")
         {"returnHistoryLength", offsetof(DenoiserConstants, returnHistoryLength)},
         {"hasValidation", offsetof(DenoiserConstants, hasValidation)},
         {"isCutDetected", offsetof(DenoiserConstants, isCutDetected)},
+        {"hasSpecularMotion", offsetof(DenoiserConstants, hasSpecularMotion)},
         {"checkerboard", offsetof(DenoiserConstants, checkerboard)},
         {"checkerboardResolve", offsetof(DenoiserConstants, checkerboardResolve)},
         {"reconstructionRadius", offsetof(DenoiserConstants, reconstructionRadius)},

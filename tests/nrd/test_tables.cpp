@@ -27,6 +27,7 @@ void applyBits(Case& c, uint32_t bits)
     c.common.splitScreen = (bits & 4) ? 0.5f : 0.0f;
     c.common.enableCutDetection = (bits & 128) == 0;
     c.common.enableValidation = bits & 256;
+    c.common.isSpecularMotionAvailable = bits & 512;
     if (ReblurSettings* reblur = std::get_if<ReblurSettings>(&c.settings))
     {
         if (bits & 8) reblur->diffusePrepassBlurRadius = reblur->specularPrepassBlurRadius = 0.0f;
@@ -44,7 +45,7 @@ std::vector<Case> allCases()
     {
         for (size_t variant = 0; variant < family->variants.size(); variant++)
         {
-            for (uint32_t bits = 0; bits < 512; bits++)
+            for (uint32_t bits = 0; bits < 1024; bits++)
             {
                 Case c = {expand({family, variant}, NormalEncoding::R10_G10_B10_A2_UNORM), makeCommon(),
                           family->defaults, ""};

@@ -94,6 +94,7 @@ struct Harness::Impl
     Impl(int w, int h) : width(w), height(h) {}
 
     void create(const Settings& settings, nrd::Denoiser kind);
+    void prepareOutputs();
     void upload(const Frame& frame);
     void setCommon(const Frame& frame, const std::function<void(nrd::CommonSettings&)>& change);
     void record(rhi::CommandBuffer& commands);
@@ -104,13 +105,14 @@ struct Harness::Impl
     int width, height;
     Image motion{rhi::Format::RGBA16_SFLOAT, width, height};
     Image guide{rhi::Format::A2B10G10R10_UNORM_PACK32, width, height};
+    Image specularMotion{rhi::Format::RGBA16_SFLOAT, width, height};
     Image viewZ{rhi::Format::R32_SFLOAT, width, height};
     Image inDiffuse{rhi::Format::RGBA16_SFLOAT, width, height}, inSpecular{rhi::Format::RGBA16_SFLOAT, width, height};
     Image outDiffuse{rhi::Format::RGBA16_SFLOAT, width, height}, outSpecular{rhi::Format::RGBA16_SFLOAT, width, height};
     Image outDiffuseSh1{rhi::Format::RGBA16_SFLOAT, width, height};
     Image outSpecularSh1{rhi::Format::RGBA16_SFLOAT, width, height};
     Image outOverlay{rhi::Format::RGBA8_UNORM, width, height};
-    bool isOverlayOn = false;
+    bool isOverlayOn = false, isSpecularMotionOn = false;
     nrd::NrdIntegration integration;
     Camera previous;
     uint32_t frameIndex = 0;
@@ -140,6 +142,13 @@ void Harness::Impl::create(const Settings& settings, nrd::Denoiser kind)
     require(std::visit(set, settings), integration);
 }
 
+void Harness::Impl::prepareOutputs()
+{
+    const std::vector<uint64_t> zeros(static_cast<size_t>(width) * static_cast<size_t>(height), 0);
+    for (Image* image : {&outDiffuse, &outSpecular, &outDiffuseSh1, &outSpecularSh1}) image->fill(zeros);
+    outOverlay.fill(Overlay(zeros.size(), glm::u8vec4(0)));
+}
+
 void Harness::Impl::upload(const Frame& frame)
 {
     const size_t count = static_cast<size_t>(width) * static_cast<size_t>(height);
@@ -150,6 +159,8 @@ void Harness::Impl::upload(const Frame& frame)
     std::vector<uint64_t> motions(count, 0);
     for (size_t i = 0; i < frame.motion.size(); i++) motions[i] = packHalf4(glm::vec4(frame.motion[i], 0.0f));
     motion.fill(motions);
+    isSpecularMotionOn = !frame.specularMotion.empty();
+    if (isSpecularMotionOn) specularMotion.fill(packSignal(frame.specularMotion));
     inDiffuse.fill(packSignal(frame.diffuse));
     inSpecular.fill(packSignal(frame.specular));
 }
@@ -173,6 +184,7 @@ void Harness::Impl::setCommon(const Frame& frame, const std::function<void(nrd::
     common.denoisingRange = kDenoisingRange;
     common.timeDeltaBetweenFrames = 16.667f;
     common.frameIndex = frameIndex++;
+    common.isSpecularMotionAvailable = isSpecularMotionOn;
     if (change) change(common);
     previous = camera;
     isOverlayOn = common.enableValidation;
@@ -204,6 +216,7 @@ void Harness::Impl::record(rhi::CommandBuffer& commands)
                              {nrd::ResourceType::OUT_DIFF_SH1, &outDiffuseSh1, true},
                              {nrd::ResourceType::OUT_SPEC_SH1, &outSpecularSh1, true}};
     if (isOverlayOn) rows.push_back({nrd::ResourceType::OUT_VALIDATION, &outOverlay, true});
+    if (isSpecularMotionOn) rows.push_back({nrd::ResourceType::IN_SPEC_MV, &specularMotion, false});
     nrd::NrdUserPool pool;
     for (const Row& row : rows)
     {
@@ -253,10 +266,16 @@ Harness::Harness(int width, int height, const Settings& settings, nrd::Denoiser 
     : m_impl(std::make_unique<Impl>(width, height))
 {
     m_impl->create(settings, denoiser);
-    poisonOutputs(0.0f);
-    poisonOverlay(glm::u8vec4(0));
-    m_impl->outDiffuseSh1.fill(std::vector<uint64_t>(static_cast<size_t>(width) * static_cast<size_t>(height), 0));
-    m_impl->outSpecularSh1.fill(std::vector<uint64_t>(static_cast<size_t>(width) * static_cast<size_t>(height), 0));
+    m_impl->prepareOutputs();
+}
+
+Harness::Harness(int width, int height, nrd::Denoiser denoiser) : m_impl(std::make_unique<Impl>(width, height))
+{
+    if (denoiser < nrd::Denoiser::RELAX_DIFFUSE)
+        m_impl->create(nrd::ReblurSettings(), denoiser);
+    else
+        m_impl->create(nrd::RelaxSettings(), denoiser);
+    m_impl->prepareOutputs();
 }
 
 Harness::~Harness() { test::failOnMessages(); }

@@ -17,7 +17,8 @@ struct Frame
 {
     Guides guides;
     Signal diffuse, specular;
-    std::vector<glm::vec3> motion = {}; // world space; empty = static scene
+    std::vector<glm::vec3> motion = {};         // world space; empty = static scene
+    std::vector<glm::vec4> specularMotion = {}; // IN_SPEC_MV; empty = not bound
 };
 
 using Overlay = std::vector<glm::u8vec4>;
@@ -27,6 +28,7 @@ class Harness
 public:
     Harness(int width, int height, const Settings& settings = {},
             nrd::Denoiser denoiser = nrd::Denoiser::REBLUR_DIFFUSE_SPECULAR);
+    Harness(int width, int height, nrd::Denoiser denoiser); // with its family's default settings
     ~Harness();
 
     // `change` may alter the common settings of this frame; the previous frame's camera is kept here.

@@ -86,6 +86,32 @@ TEST_CASE("motion is where the point was minus where it is, and zero for what st
     CHECK(movingPixels > 20);
 }
 
+TEST_CASE("what a specular path hits moves as it does where it is seen directly", "[gpu]")
+{
+    const Scene scene = makeCornellBox();
+    const TraceRequest r = cornellRequest(scene);
+    const Traced traced = test::trace(scene, nullptr, r);
+    ScenePose now(scene), before(scene);
+    now.update(r.time);
+    before.update(r.previousTime);
+    const glm::mat4 moved = before.nodeToWorld()[2] * glm::inverse(now.nodeToWorld()[2]); // the plastic block
+    size_t sampleCount = 0, movingCount = 0;
+    for (size_t i = 0; i < traced.viewZ.size(); ++i)
+    {
+        const glm::vec4 motion = traced.specularMotion[i];
+        const float distance = traced.specular[i].w;
+        CHECK(motion.w == (distance > 0.0f ? 1.0f : 0.0f));
+        sampleCount += distance > 0.0f;
+        if (glm::vec3(motion) == glm::vec3(0.0f)) continue;
+        REQUIRE(distance > 0.0f);
+        const glm::vec3 hit =
+            worldPosition(traced, r.view.camera, i) + distance * glm::vec3(traced.specularDirection[i]);
+        movingCount += glm::distance(glm::vec3(motion), glm::vec3(moved * glm::vec4(hit, 1.0f)) - hit) < 2e-3f;
+    }
+    CHECK(movingCount > 20);
+    CHECK(movingCount < sampleCount / 2);
+}
+
 TEST_CASE("hit distances are those of the first bounce, and metals have no diffuse sample", "[gpu]")
 {
     // A floor of metal beside one of plaster, under a ceiling one unit above: rays up travel at least one unit.

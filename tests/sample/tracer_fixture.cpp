@@ -71,6 +71,8 @@ Traced trace(const Scene& scene, const Environment* environment, const TraceRequ
     out.diffuseFactor = readPixels(images.diffuseFactor);
     out.specularFactor = readPixels(images.specularFactor);
     out.direct = readPixels(images.direct);
+    out.specularDirection = readPixels(images.specularDirection);
+    out.specularMotion = readPixels(images.specularMotion);
     inBatches(request.samples, [&](VkCommandBuffer cmd, const ReferenceBatch& batch)
               { tracer.recordReference(cmd, request.view, batch); });
     if (request.samples > 0)

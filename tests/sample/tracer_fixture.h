@@ -28,6 +28,7 @@ struct Traced
     uint32_t height = 0;
     std::vector<float> viewZ;
     Pixels normalRoughness, motion, diffuse, specular, diffuseFactor, specularFactor, direct;
+    Pixels specularDirection, specularMotion;
     Pixels diffuseMean, specularMean; // expectation by many samples, .w normalised hit distance
     Pixels plainMean;
 

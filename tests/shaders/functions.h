@@ -29,6 +29,7 @@
 #define FN_LOBE_TANGENT 24       // a.x roughness, a.y share
 #define FN_MIRROR_UV 25          // a.xy
 #define FN_VIRTUAL_POSITION 26   // a.xyz X, a.w hitDist, b.xyz N, b.w curvature, c.xyz Xprev, c.w roughness
+#define FN_IMAGE_MOTION 34       // a.xyz X, a.w hitDist, b.xyz N, b.w curvature, c.w roughness, d.xyz motion
 #define FN_CURVATURE 27          // a.xyz X, b.xyz N, c.xyz other X, d.xyz other N
 #define FN_RECONSTRUCT 28        // a.xy uv, a.z viewZ, a.w ortho, b frustum
 #define FN_FOOTPRINT 29          // a.xy position -> bilinear weights; second result .xy origin

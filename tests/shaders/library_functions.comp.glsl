@@ -48,6 +48,7 @@ Results evaluate(Arguments v)
     case FN_LOBE_TANGENT: r.first.x = lobeTangent(v.a.x, v.a.y); break;
     case FN_MIRROR_UV: r.first.xy = mirrorUv(v.a.xy); break;
     case FN_VIRTUAL_POSITION: r.first.xyz = virtualPosition(reflector(v), v.a.w, v.b.w); break;
+    case FN_IMAGE_MOTION: r.first.xyz = imageMotion(reflector(v), v.a.w, v.b.w, v.d.xyz); break;
     case FN_CURVATURE: r.first.x = curvatureFromEdge(v.a.xyz, v.b.xyz, v.c.xyz, v.d.xyz); break;
     case FN_RECONSTRUCT: r.first.xyz = reconstructViewPosition(v.a.xy, v.b, v.a.z, v.a.w); break;
     case FN_FOOTPRINT:

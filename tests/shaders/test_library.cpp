@@ -144,6 +144,21 @@ TEST_CASE("the virtual image lies where a thin lens puts it", "[gpu]")
     CHECK(worst < 2e-5);
 }
 
+TEST_CASE("the image of what moves moves as its mirror image, smaller in convex and upside down in concave mirrors",
+          "[gpu]")
+{
+    const auto imageMotion = [](float curvature, Vec4 motion)
+    {
+        const Vec4 X = {0, 0, 10, 5}, N = {0, 0, -1, curvature}, Xprev = {0, 0, 10, 0};
+        return toDouble(runFunction(FN_IMAGE_MOTION, {X, N, Xprev, motion}).first);
+    };
+    CHECK(glm::distance(imageMotion(0.0f, {1, 2, 3, 0}), dvec3(1, 2, -3)) < 1e-4);
+    CHECK(glm::distance(imageMotion(0.1f, {1, 2, 3, 0}), dvec3(1, 2, -3) * 0.5) < 1e-4);
+    CHECK(glm::distance(imageMotion(-0.2f, {1, 2, 3, 0}), dvec3(1, 2, -3) * -1.0) < 1e-4);
+    CHECK(glm::length(imageMotion(-0.1001f, {1, 0, 0, 0})) <= 5.0 + 1e-4); // near the focus
+    CHECK(imageMotion(0.1f, {0, 0, 0, 0}) == dvec3(0.0));
+}
+
 TEST_CASE("the curvature of a sphere is one over its radius", "[gpu]")
 {
     for (double radius : {0.5, 2.0, 40.0})

@@ -57,6 +57,7 @@ struct CommonSettings
 
     bool isHistoryConfidenceAvailable = false;        // IN_DIFF_CONFIDENCE and IN_SPEC_CONFIDENCE are bound
     bool isDisocclusionThresholdMixAvailable = false; // IN_DISOCCLUSION_THRESHOLD_MIX is bound
+    bool isSpecularMotionAvailable = false;           // IN_SPEC_MV is bound
     bool enableValidation = false;                    // OUT_VALIDATION is bound; REBLUR writes it
 };
 

@@ -61,6 +61,9 @@ enum class ResourceType : uint32_t
     IN_DIFF_CONFIDENCE,  // [0; 1], on the previous frame's screen
     IN_SPEC_CONFIDENCE,
     IN_DISOCCLUSION_THRESHOLD_MIX, // [0; 1], 0 = disocclusionThreshold, 1 = ...Alternate
+    // .xyz where what the specular path's first bounce hits was one frame ago minus where it is now, camera excluded:
+    // in world units whatever motionVectorScale is, 0 where nothing moves; .w 0: the pixel has no sample of the lobe.
+    IN_SPEC_MV,
     IN_DIFF_RADIANCE_HITDIST,
     IN_SPEC_RADIANCE_HITDIST,
     IN_DIFF_HITDIST,

@@ -57,6 +57,7 @@ void fillFrame(const Request& request, shared::DenoiserConstants& g)
     g.splitScreenPrev = request.isReset ? common.splitScreen : request.history.splitScreen;
     g.isHistoryReset = request.isReset ? 1 : 0;
     g.hasValidation = common.enableValidation ? 1 : 0;
+    g.hasSpecularMotion = common.isSpecularMotionAvailable ? 1 : 0;
     g.isCutDetected = common.enableCutDetection ? 1 : 0;
 }
 

@@ -14,6 +14,7 @@ inline bool runsCutDetection(const Conditions& c) { return isDenoised(c) && hasC
 
 inline bool hasConfidence(const Conditions& c) { return c.common.isHistoryConfidenceAvailable; }
 inline bool hasDisocclusionMix(const Conditions& c) { return c.common.isDisocclusionThresholdMixAvailable; }
+inline bool hasSpecularMotion(const Conditions& c) { return c.common.isSpecularMotionAvailable; }
 inline bool hasValidation(const Conditions& c) { return c.common.enableValidation; }
 
 // minMaterial...: of the family's settings.
@@ -50,6 +51,7 @@ constexpr ResourceType Motion = ResourceType::IN_MV;
 constexpr Slot kThresholdMix = optional(hasDisocclusionMix, ResourceType::IN_DISOCCLUSION_THRESHOLD_MIX);
 constexpr Slot kDiffuseConfidence = only(kDiffuse, optional(hasConfidence, ResourceType::IN_DIFF_CONFIDENCE));
 constexpr Slot kSpecularConfidence = only(kSpecular, optional(hasConfidence, ResourceType::IN_SPEC_CONFIDENCE));
+constexpr Slot kSpecularMotion = only(kSpecular, optional(hasSpecularMotion, ResourceType::IN_SPEC_MV));
 
 constexpr GroupSize kTile = {TILE_SIZE, TILE_SIZE}; // whatever the number of invocations
 constexpr GroupSize kGroup16x16 = {16, 16};

@@ -123,7 +123,7 @@ constexpr PassRow kPasses[] = {
      kTemporalAccumulation,
      {Tiles, ViewZ, NormalRoughness, Motion, PrevViewZ, PrevNormalRoughness, PrevLength, kCut, kThresholdMix,
       kDiffuseConfidence, kSpecularConfidence, kEachAccumulated, each(History), Fast, kTrackNew,
-      only(kSpecular, prev(Track))},
+      only(kSpecular, prev(Track)), kSpecularMotion},
      {each(Scratch), FastTemp, Length, only(kSpecular, Track), only(kSpecular, VirtualAmount),
       only(kSpecular, Confidence)},
      kGroup8x16,
