@@ -1,4 +1,5 @@
-// Shared by the passes of REBLUR and RELAX: constants, permutation switches, reading of guides, and the factors of the method.
+// Shared by the passes of REBLUR and RELAX: constants, permutation switches, reading of guides, and the factors of the
+// methods.
 #ifndef DENOISER_GLSL
 #define DENOISER_GLSL
 #include "variant.glsl"

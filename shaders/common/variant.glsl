@@ -1,5 +1,6 @@
 // What a permutation denoises. LOBES: 1 diffuse, 2 specular, 3 both. SIGNAL: 0 radiance, 1 spherical harmonics,
-// 2 occlusion, 3 directional occlusion of REBLUR; 4 radiance, 5 spherical harmonics of RELAX. The macros serve #if and bindings, the constants the code.
+// 2 occlusion, 3 directional occlusion of REBLUR; 4 radiance, 5 spherical harmonics of RELAX. The macros serve #if
+// and bindings, the constants the code.
 #ifndef VARIANT_GLSL
 #define VARIANT_GLSL
 

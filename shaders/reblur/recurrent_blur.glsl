@@ -44,7 +44,7 @@ Signal blurLobe(texture2D t, texture2D second, Pixel p, Lobe lobe, bool isSpecul
         Tap tap = readTap(gIn_ViewZ, gIn_NormalRoughness, p, lobe, w, uv, kTaps[i].z);
         Signal value = readSignal(t, second, tap.pixel);
         float weight = tap.weight * hitDistWeight(w, centre.value.w, value.value.w);
-        // Occlusion is its own hit distance, whose weight is strict enough: with another it flickered half as much again.
+        // Occlusion is its own hit distance, whose weight is strict enough: with another it flickered more.
         if (!kIsBounded) weight *= lumaWeight(luma(centre), luma(value), narrowing);
         sum = addWeighted(sum, value, weight);
         weightSum += weight > 0.0 ? weight : 0.0; // not NaN

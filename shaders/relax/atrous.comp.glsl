@@ -1,5 +1,5 @@
-// One step of the edge-avoiding wavelet (Dammertz et al. 2010), steered by variance (Schied et al. 2017). The first step
-// estimates the variance of short histories from their neighbourhood; the last one writes the outputs.
+// One step of the edge-avoiding wavelet (Dammertz et al. 2010), steered by variance (Schied et al. 2017). The first
+// step estimates the variance of short histories from their neighbourhood; the last one writes the outputs.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "spatial_filter.glsl"

@@ -1,5 +1,5 @@
-// Fills pixels with a short history from a wide sparse neighbourhood, bounds the long history by statistics of the short
-// one, and antilag: both move towards the noisy present where they disagree with it by more than noise explains.
+// Fills pixels with a short history from a wide sparse neighbourhood, bounds the long history by statistics of the
+// short one, and antilag: both move towards the noisy present where they disagree with it by more than noise explains.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "spatial_filter.glsl"

@@ -22,7 +22,7 @@ struct DenoiserConstants
     vec4 rotatorPostBlur;
     vec4 hitDistanceParameters; // A, B, C, unused
     vec4 motionVectorScale;     // .w 1 = world space
-    vec4 relaxDoubt;      // by the application's confidence: multiplier, of the luma stop, of the normal stop; .w unused
+    vec4 relaxDoubt;      // by confidence: multiplier, of the luma stop, of the normal stop; .w unused
     vec4 relaxAntilag;    // acceleration, spatial sigma, temporal sigma, reset
     vec2 rectSize;        // pixels
     vec2 rectSizeInv;
