@@ -9,10 +9,11 @@ struct Centre
     Signal signal;
     float hitDist; // normalised; reconstructed where the pixel has none, 0 if that failed
     bool isValid;  // false: the pixel takes no part in sums
+    bool isFound;  // by the pixel, or by the neighbours that a checkerboard gives it
 };
 
 // Mean of the left and right neighbours, which have data where a pixel has none, as far as they lie as deep.
-Signal resolveCheckerboard(texture2D t, texture2D second, Pixel p, ivec2 pixel)
+Signal resolveCheckerboard(texture2D t, texture2D second, Pixel p, ivec2 pixel, out bool isFound)
 {
     Signal sum = kNoSignal;
     float weightSum = 0.0;
@@ -28,7 +29,8 @@ Signal resolveCheckerboard(texture2D t, texture2D second, Pixel p, ivec2 pixel)
         sum = addWeighted(sum, value, 1.0);
         weightSum += 1.0;
     }
-    return weightSum > 0.0 ? scaled(sum, 1.0 / weightSum) : kNoSignal;
+    isFound = weightSum > 0.0;
+    return isFound ? scaled(sum, 1.0 / weightSum) : kNoSignal;
 }
 
 // Long-tailed weights but for the plane, so as not to lose the only sample of the window.
@@ -75,10 +77,13 @@ Centre completeCentre(texture2D t, texture2D second, Pixel p, Lobe lobe, bool is
     centre.pixel = position;
     bool isHere = hasData(position, isSpecular);
     if (isHere)
+    {
         centre.signal = readInput(t, second, inputTexel(position), centre.isValid);
+        centre.isFound = centre.isValid;
+    }
     else
     {
-        centre.signal = resolveCheckerboard(t, second, p, position);
+        centre.signal = resolveCheckerboard(t, second, p, position, centre.isFound);
         centre.isValid = kIsOcclusion && centre.signal.value.w > 0.0; // no blur follows that would find more
     }
     centre.hitDist = centre.signal.value.w;

@@ -82,14 +82,14 @@ void addTap(inout TapSums sums, Signal value, float share, float affinity, bool 
 }
 
 // With the centre, if it takes part.
-Signal resolveTaps(TapSums sums, Signal own, bool isOwnValid)
+Signal resolveTaps(TapSums sums, Signal own, Centre centre)
 {
     float affinity = sums.knownShare > 0.0 ? sums.knownWeight / sums.knownShare : 1.0;
-    Signal sum = isOwnValid ? own : kNoSignal;
+    Signal sum = centre.isValid ? own : kNoSignal;
     sum = addWeighted(addWeighted(sum, sums.known, 1.0), sums.unknown, affinity);
-    float weightSum = (isOwnValid ? 1.0 : 0.0) + sums.knownWeight + sums.unknownShare * affinity;
+    float weightSum = (centre.isValid ? 1.0 : 0.0) + sums.knownWeight + sums.unknownShare * affinity;
     if (weightSum > 0.0) return scaled(sum, 1.0 / weightSum);
-    if (!kIsBounded && !isOwnValid) own.value.w = kNoSample;
+    if (!kIsBounded && !centre.isFound) own.value.w = kNoSample;
     return own;
 }
 
@@ -138,7 +138,7 @@ Filtered prefilter(texture2D t, texture2D second, Pixel p, Lobe lobe, bool isSpe
         addTap(sums, value, share, affinity, isKnown);
     }
     float tracking = nearest == 1e30 ? 0.0 : nearest;
-    return Filtered(resolveTaps(sums, own, centre.isValid), tracking);
+    return Filtered(resolveTaps(sums, own, centre), tracking);
 }
 
 void main()
