@@ -24,6 +24,4 @@ std::vector<PassTraffic> findTraffic(const nrd::InstanceDesc& instance, std::spa
 
 // "REBLUR_DIFFUSE - Blur" -> "Blur"
 std::string passName(const char* dispatchName);
-
-uint32_t texelByteSize(nrd::Format format);
 } // namespace sample::bench

@@ -45,7 +45,6 @@ shared::DenoiserConstants reblurConstants(const std::vector<DispatchDesc>& dispa
 const DispatchDesc* findPass(const std::vector<DispatchDesc>& dispatches, const std::string& name); // null = none
 
 bool isPool(ResourceType type);
-uint32_t texelByteSize(Format format);
 
 template <class T> const T& constantsOf(const DispatchDesc& dispatch)
 {

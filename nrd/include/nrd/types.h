@@ -203,4 +203,6 @@ NRD_API const char* toString(Result value);
 NRD_API const char* toString(Denoiser value);
 NRD_API const char* toString(ResourceType value);
 NRD_API const char* toString(Format value);
+
+NRD_API uint32_t texelByteSize(Format format); // bytes; 0 for values outside the enumeration
 } // namespace nrd
