@@ -10,6 +10,19 @@ void copyMatrix(const Matrix& source, float (&target)[16])
 }
 } // namespace
 
+nrd::SigmaSettings sigmaSettingsOf(const CaptureLight* light)
+{
+    nrd::SigmaSettings settings;
+    if (!light) return settings;
+    settings.isLightLocal = light->isLocal;
+    for (size_t i = 0; i < 3; i++)
+    {
+        settings.lightDirection[i] = static_cast<float>(light->isLocal ? 0.0 : light->direction[i]);
+        settings.lightPosition[i] = static_cast<float>(light->position[i]);
+    }
+    return settings;
+}
+
 std::array<double, 3> cameraPositionOf(const Matrix& worldToView)
 {
     // Rigid: the inverse of the rotation is its transpose.

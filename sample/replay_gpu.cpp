@@ -14,6 +14,11 @@ namespace
 {
 constexpr nrd::Identifier kIdentifier = 0;
 
+bool contains(const std::vector<Signal>& signals, Signal signal)
+{
+    return std::find(signals.begin(), signals.end(), signal) != signals.end();
+}
+
 double median(std::vector<double> values)
 {
     if (values.empty()) return 0.0;
@@ -93,7 +98,10 @@ void ReplayGpu::createIntegration()
     instance.denoisers = &denoiser;
     instance.denoisersNum = 1;
     check(m_integration.Create(creation, instance), "create the denoiser");
-    const ReplaySettings settings = settingsOfFrame();
+}
+
+void ReplayGpu::applyDenoiserSettings(const ReplaySettings& settings)
+{
     const auto set = [&](const auto& own) { return m_integration.SetDenoiserSettings(kIdentifier, own); };
     check(setDenoiserSettings(settings, m_denoiser.family, set), "set the denoiser's settings");
 }
@@ -201,6 +209,7 @@ ReplaySettings ReplayGpu::settingsOfFrame() const
     settings.common = commonSettingsOf(m_info, m_frameIndex);
     settings.common.isSpecularMotionAvailable = m_desc.capture.has(Channel::SpecularMX);
     settings.reblur.hitDistanceParameters = hitDistanceParametersOf(m_info);
+    settings.sigma = sigmaSettingsOf(m_desc.capture.light(m_frameIndex));
     applySettings(settings, m_denoiser.family, m_desc.settings);
     return settings;
 }
@@ -216,16 +225,18 @@ void ReplayGpu::recordPack(VkCommandBuffer cmd, Slot& slot, const ReplaySettings
     engine::transition(cmd, slot.image, engine::kStorage);
     const bool isMix = slot.row.type == nrd::ResourceType::IN_DISOCCLUSION_THRESHOLD_MIX;
     const nrd::HitDistanceParameters& p = settings.reblur.hitDistanceParameters;
-    const bool isLobe = slot.row.layer == Layer::Diffuse || slot.row.layer == Layer::Specular;
+    const bool isLobe = slot.row.layer == Layer::Diffuse || slot.row.layer == Layer::Specular ||
+                        slot.row.layer == Layer::Shadow;
     const nrd::CheckerboardMode mode =
         isLobe ? checkerboardModeOf(settings, m_denoiser.family) : nrd::CheckerboardMode::OFF;
-    const PackConstants constants{{p.A * settings.common.metersToUnits, p.B, p.C, 0.0f},
+    PackConstants constants{{p.A * settings.common.metersToUnits, p.B, p.C, 0.0f},
                                   slot.row.mode,
                                   slot.row.isDiffuse,
                                   {static_cast<uint32_t>(m_info.width), static_cast<uint32_t>(m_info.height)},
                                   isMix ? m_desc.disocclusionMix : m_desc.confidence,
                                   static_cast<uint32_t>(mode),
                                   settings.common.frameIndex};
+    setLight(constants, m_desc.capture, m_frameIndex);
     m_packing.pack(cmd, slot.set, constants);
 }
 
@@ -265,6 +276,7 @@ ReplayedFrame ReplayGpu::denoise(const Planes& frame, bool isWanted)
     const ReplaySettings settings = settingsOfFrame();
     check(m_integration.NewFrame(), "begin a frame");
     collectTimes();
+    applyDenoiserSettings(settings); // a light may move
     check(m_integration.SetCommonSettings(settings.common), "set the common settings");
     if (m_slots.empty()) createSlots();
     uploadLayers(frame);
@@ -289,7 +301,8 @@ ReplayedFrame ReplayGpu::read(const Planes& frame, bool isHistoryLength)
             const SlotRow& row = slot.row;
             Signals& signals = reading.isExtracted ? result.extracted : result.signals;
             if (row.type == nrd::ResourceType::OUT_VALIDATION) result.overlay = pictureOf(values, {}, overlay, 0.0f);
-            if (row.radiance) signals[*row.radiance] = pictureOf(values, surface, colour, 0.0f);
+            const auto isWanted = [&](Signal signal) { return contains(m_denoiser.signals, signal); };
+            if (row.radiance && isWanted(*row.radiance)) signals[*row.radiance] = pictureOf(values, surface, colour, 0.0f);
             if (!row.scalar || (row.radiance && isHistoryLength)) continue;
             signals[*row.scalar] = pictureOf(values, surface, scalar, 1.0f);
         }

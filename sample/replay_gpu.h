@@ -84,6 +84,7 @@ private:
         std::vector<Reading> readings;        // outputs
     };
     void createIntegration();
+    void applyDenoiserSettings(const ReplaySettings& settings);
     void createSlots();
     void createImage(const nrd::ResourceRequirement& requirement);
     void createPackSet(Slot& slot);

@@ -1,6 +1,7 @@
 #include "replay_packing.h"
 #include "replay_camera.h"
 #include "replay_shaders.h"
+#include "shaders/replay_modes.h"
 
 #include <algorithm>
 
@@ -35,6 +36,23 @@ void dispatch(const engine::ComputePipeline& pipeline, VkCommandBuffer cmd, VkDe
         {engine::groupCount(constants.size[0], kGroupSize), engine::groupCount(constants.size[1], kGroupSize), 1});
 }
 } // namespace
+
+void setLight(PackConstants& constants, const Capture& capture, size_t frameIndex)
+{
+    const CaptureLight* light = capture.light(frameIndex);
+    if (!light) return;
+    const CaptureFrame& frame = capture.info().frames.at(frameIndex);
+    const std::array<double, 4> frustum = frustumOf(frame.viewToClip);
+    std::transform(frustum.begin(), frustum.end(), constants.frustum, [](double v) { return static_cast<float>(v); });
+    constants.lightKind = light->isLocal ? REPLAY_LIGHT_LOCAL : REPLAY_LIGHT_SUN;
+    constants.light[3] = static_cast<float>(light->isLocal ? light->radius : light->tanAngularRadius);
+    for (size_t row = 0; row < 3; row++)
+    {
+        double x = frame.worldToView[12 + row];
+        for (size_t column = 0; column < 3; column++) x += frame.worldToView[column * 4 + row] * light->position[column];
+        constants.light[row] = static_cast<float>(x);
+    }
+}
 
 UnpackConstants unpackConstantsOf(const CaptureInfo& info, size_t frameIndex)
 {

@@ -15,7 +15,13 @@ struct PackConstants
     float constant;                // of REPLAY_PACK_CONSTANT
     uint32_t checkerboardMode = 0; // nrd::CheckerboardMode, 0 for what is no lobe
     uint32_t frameIndex = 0;
+    uint32_t lightKind = 0; // REPLAY_LIGHT_...
+    float light[4] = {};    // .xyz view space, of local lights; .w radius, or tangent of the angular radius
+    float frustum[4] = {};
 };
+
+// The light of a frame and the frame's frustum into the constants; nothing without a light.
+void setLight(PackConstants& constants, const Capture& capture, size_t frameIndex);
 
 // Push constants of replay_unpack.comp.glsl.
 struct UnpackConstants

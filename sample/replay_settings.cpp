@@ -158,6 +158,18 @@ std::vector<SettingField> relaxFields(nrd::RelaxSettings& s)
     };
 }
 
+std::vector<SettingField> sigmaFields(nrd::SigmaSettings& s)
+{
+    return {
+        field("lightDirection", s.lightDirection),
+        field("lightPosition", s.lightPosition),
+        field("isLightLocal", s.isLightLocal),
+        field("planeDistanceSensitivity", s.planeDistanceSensitivity),
+        field("maxStabilizedFrameNum", s.maxStabilizedFrameNum),
+        field("checkerboardMode", s.checkerboardMode),
+    };
+}
+
 std::vector<SettingField> referenceFields(nrd::ReferenceSettings& s)
 {
     return {field("maxAccumulatedFrameNum", s.maxAccumulatedFrameNum)};
@@ -238,6 +250,7 @@ void assign(const SettingField& target, const std::string& text)
 nrd::CheckerboardMode checkerboardModeOf(const ReplaySettings& settings, Family family)
 {
     if (family == Family::Reblur) return settings.reblur.checkerboardMode;
+    if (family == Family::Sigma) return settings.sigma.checkerboardMode;
     return family == Family::Relax ? settings.relax.checkerboardMode : nrd::CheckerboardMode::OFF;
 }
 
@@ -256,9 +269,11 @@ std::vector<SettingField> settingFields(ReplaySettings& settings, Family family)
     case Family::Reference:
         own = referenceFields(settings.reference);
         break;
-    case Family::None:
     case Family::Sigma:
-        break; // the library has no settings for them yet
+        own = sigmaFields(settings.sigma);
+        break;
+    case Family::None:
+        break;
     }
     fields.insert(fields.end(), std::make_move_iterator(own.begin()), std::make_move_iterator(own.end()));
     return fields;

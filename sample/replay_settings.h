@@ -24,6 +24,7 @@ struct ReplaySettings
     nrd::CommonSettings common;
     nrd::ReblurSettings reblur;
     nrd::RelaxSettings relax;
+    nrd::SigmaSettings sigma;
     nrd::ReferenceSettings reference;
 };
 
@@ -38,8 +39,9 @@ template <class Set> nrd::Result setDenoiserSettings(const ReplaySettings& setti
         return set(settings.relax);
     case Family::Reference:
         return set(settings.reference);
-    case Family::None:
     case Family::Sigma:
+        return set(settings.sigma);
+    case Family::None:
         break;
     }
     return nrd::Result::SUCCESS;

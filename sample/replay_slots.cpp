@@ -10,6 +10,7 @@ namespace
 using nrd::ResourceType;
 
 constexpr VkFormat kRgba16 = VK_FORMAT_R16G16B16A16_SFLOAT;
+constexpr VkFormat kRgba8 = VK_FORMAT_R8G8B8A8_UNORM;
 constexpr VkFormat kRgba32 = VK_FORMAT_R32G32B32A32_SFLOAT;
 constexpr VkFormat kR16 = VK_FORMAT_R16_SFLOAT;
 constexpr VkFormat kR32 = VK_FORMAT_R32_SFLOAT;
@@ -17,7 +18,7 @@ constexpr VkFormat kA2B10G10R10 = VK_FORMAT_A2B10G10R10_UNORM_PACK32;
 
 constexpr SlotRow in(ResourceType type, Family family, VkFormat format, std::optional<Layer> layer, uint32_t mode)
 {
-    return {type, family, format, layer, {}, mode, layer == Layer::Diffuse, false, {}, {}, {}};
+    return {type, family, format, layer, {}, mode, layer == Layer::Diffuse || layer == Layer::Shadow, false, {}, {}, {}};
 }
 
 constexpr SlotRow directed(ResourceType type, Family family, Layer layer, uint32_t mode)
@@ -72,6 +73,8 @@ constexpr SlotRow kSlots[] = {
     directed(ResourceType::IN_DIFF_SH1,        kRelax,  Layer::Diffuse,  REPLAY_PACK_RELAX_SH1),
     directed(ResourceType::IN_SPEC_SH0,        kRelax,  Layer::Specular, REPLAY_PACK_RELAX_SH0),
     directed(ResourceType::IN_SPEC_SH1,        kRelax,  Layer::Specular, REPLAY_PACK_RELAX_SH1),
+    in(ResourceType::IN_PENUMBRA,     Family::Sigma, kR16,   Layer::Shadow, REPLAY_PACK_SIGMA_PENUMBRA),
+    in(ResourceType::IN_TRANSLUCENCY, Family::Sigma, kRgba8, Layer::Shadow, REPLAY_PACK_SIGMA_TRANSLUCENCY),
     in(ResourceType::IN_SIGNAL, Family::Reference, kRgba32, Layer::Diffuse, REPLAY_PACK_COPY),
     with(out(ResourceType::OUT_DIFF_RADIANCE_HITDIST, kReblur, kRgba16, REPLAY_UNPACK_REBLUR_RADIANCE),
          Signal::Diffuse, Signal::NormHitDist),
@@ -97,6 +100,8 @@ constexpr SlotRow kSlots[] = {
          Signal::SpecularNormHitDist),
     with(out(ResourceType::OUT_DIFF_DIRECTION_HITDIST, kReblur, kRgba16, REPLAY_UNPACK_REBLUR_DIRECTION_HITDIST), {},
          Signal::NormHitDist),
+    with(out(ResourceType::OUT_SHADOW_TRANSLUCENCY, Family::Sigma, kRgba8, REPLAY_UNPACK_SIGMA), Signal::Translucency,
+         Signal::Shadow),
     with(out(ResourceType::OUT_SIGNAL, Family::Reference, kRgba32, REPLAY_UNPACK_COPY), Signal::Diffuse, {}),
     out(ResourceType::OUT_VALIDATION, Family::None, VK_FORMAT_R8G8B8A8_UNORM, REPLAY_UNPACK_COPY),
 };
@@ -116,6 +121,7 @@ constexpr LayerRow kLayers[] = {
     {Layer::Specular, {Channel::SpecularR, Channel::SpecularG, Channel::SpecularB, Channel::SpecularHitDist}, 4},
     {Layer::DiffuseDirection,  {Channel::DiffuseDX, Channel::DiffuseDY, Channel::DiffuseDZ}, 3},
     {Layer::SpecularDirection, {Channel::SpecularDX, Channel::SpecularDY, Channel::SpecularDZ}, 3},
+    {Layer::Shadow, {Channel::ShadowR, Channel::ShadowG, Channel::ShadowB, Channel::ShadowDist}, 4},
     {Layer::SpecularMotion,
      {Channel::SpecularMX, Channel::SpecularMY, Channel::SpecularMZ, Channel::SpecularHitDist}, 4},
 };

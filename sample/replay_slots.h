@@ -18,6 +18,7 @@ enum class Layer : uint8_t
     Specular, // radiance, hit distance
     DiffuseDirection,
     SpecularDirection,
+    Shadow,         // translucency, distance to the occluder
     SpecularMotion, // of what is reflected, hit distance: 0 where the pixel has no sample
     Count
 };

@@ -151,6 +151,11 @@ Result NrdIntegration::SetDenoiserSettings(Identifier identifier, const RelaxSet
     return Impl::withCore(m_impl.get(), [&](Core& core) { core.setDenoiserSettings(identifier, settings); });
 }
 
+Result NrdIntegration::SetDenoiserSettings(Identifier identifier, const SigmaSettings& settings)
+{
+    return Impl::withCore(m_impl.get(), [&](Core& core) { core.setDenoiserSettings(identifier, settings); });
+}
+
 Result NrdIntegration::SetDenoiserSettings(Identifier identifier, const ReferenceSettings& settings)
 {
     return Impl::withCore(m_impl.get(), [&](Core& core) { core.setDenoiserSettings(identifier, settings); });

@@ -178,7 +178,7 @@ void compile(const InstanceCreationDesc& desc, Compiled& compiled)
         CompiledDenoiser& denoiser = compiled.denoisers.emplace_back();
         denoiser.identifier = desc.denoisers[i].identifier;
         denoiser.resolutionDivisor = static_cast<uint16_t>(desc.denoisers[i].resolutionDivisor);
-        denoiser.program = expand(findVariant(desc.denoisers[i].denoiser), desc.normalEncoding);
+        denoiser.program = expand(findVariant(desc.denoisers[i].denoiser, keptBy(desc.denoisers[i])), desc.normalEncoding);
         denoiser.settings = denoiser.program.family->defaults;
         addPermanentTextures(denoiser, compiled.permanentPool);
     }

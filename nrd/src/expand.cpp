@@ -109,13 +109,13 @@ Format guideFormat(NormalEncoding encoding)
     return Format::MAX_NUM;
 }
 
-VariantOfFamily findVariant(Denoiser denoiser)
+VariantOfFamily findVariant(Denoiser denoiser, Keeps keeps)
 {
     for (const Family* family : kFamilies)
     {
         for (size_t i = 0; i < family->variants.size(); i++)
         {
-            if (family->variants[i].key == denoiser) return {family, i};
+            if (family->variants[i].key == denoiser && family->variants[i].keeps == keeps) return {family, i};
         }
     }
     return {};

@@ -1,6 +1,7 @@
 // Table x variant -> concrete textures and passes. Pure.
 #pragma once
 #include "pass_table.h"
+#include <nrd/descs.h>
 
 namespace nrd
 {
@@ -57,7 +58,8 @@ struct VariantOfFamily
     size_t variant = 0;
 };
 
-VariantOfFamily findVariant(Denoiser denoiser);
+VariantOfFamily findVariant(Denoiser denoiser, Keeps keeps = Keeps::History);
+inline Keeps keptBy(const DenoiserDesc& desc) { return desc.hasHistory ? Keeps::History : Keeps::Nothing; }
 Program expand(const VariantOfFamily& which, NormalEncoding encoding);
 Format guideFormat(NormalEncoding encoding);
 

@@ -131,6 +131,12 @@ FrameState makeFrameState(const CommonSettings& common, float frameRateScale)
     return state;
 }
 
+Double3 toViewSpace(const CommonSettings& common, const Double3& v, bool isPoint)
+{
+    const Camera camera = makeCamera(common.viewToClipMatrix, common.worldToViewMatrix);
+    return rotate(camera.rotation, isPoint ? v - camera.position : v);
+}
+
 CommonSettings withoutPreviousFrame(const CommonSettings& common)
 {
     CommonSettings result = common;

@@ -42,6 +42,9 @@ struct FrameState
 };
 FrameState makeFrameState(const CommonSettings& common, float frameRateScale);
 
+// A world-space point or direction in the left-handed view space of the shaders.
+Double3 toViewSpace(const CommonSettings& common, const Double3& v, bool isPoint);
+
 // On reset there is no previous frame to reproject: sizes and jitter become the current ones.
 CommonSettings withoutPreviousFrame(const CommonSettings& common);
 

@@ -116,6 +116,7 @@ template <class Settings> Result Instance::setDenoiserSettings(Identifier identi
 }
 template Result Instance::setDenoiserSettings(Identifier, const ReblurSettings&);
 template Result Instance::setDenoiserSettings(Identifier, const RelaxSettings&);
+template Result Instance::setDenoiserSettings(Identifier, const SigmaSettings&);
 template Result Instance::setDenoiserSettings(Identifier, const ReferenceSettings&);
 
 Error Instance::findRequestError(const Identifier* identifiers, uint32_t num)

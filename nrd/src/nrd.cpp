@@ -17,7 +17,8 @@ struct Library
     {
         for (const Family* family : kFamilies)
         {
-            for (const Variant& variant : family->variants) denoisers.push(variant.key);
+            for (const Variant& variant : family->variants)
+                if (variant.keeps == Keeps::History) denoisers.push(variant.key); // once each
         }
         desc = {kVersionMajor,  kVersionMinor,     kVersionBuild,
                 kHeaderVersion, denoisers.begin(), static_cast<uint32_t>(denoisers.size())};
@@ -80,6 +81,11 @@ Result SetDenoiserSettings(Instance& instance, Identifier identifier, const Rebl
 }
 
 Result SetDenoiserSettings(Instance& instance, Identifier identifier, const RelaxSettings& settings)
+{
+    return instance.setDenoiserSettings(identifier, settings);
+}
+
+Result SetDenoiserSettings(Instance& instance, Identifier identifier, const SigmaSettings& settings)
 {
     return instance.setDenoiserSettings(identifier, settings);
 }

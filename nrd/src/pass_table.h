@@ -30,7 +30,7 @@ enum Lobes : uint8_t
 };
 
 // One alternative per family; the family's default is what a new denoiser starts with.
-using FamilySettings = std::variant<ReblurSettings, RelaxSettings, ReferenceSettings>;
+using FamilySettings = std::variant<ReblurSettings, RelaxSettings, SigmaSettings, ReferenceSettings>;
 
 // What a signal consists of. One value for a variant, several for what a row applies to.
 enum Kinds : uint8_t
@@ -40,20 +40,31 @@ enum Kinds : uint8_t
     kSphericalHarmonics = 2,   // the same, and a direction
     kOcclusion = 4,            // hit distance
     kDirectionalOcclusion = 8, // hit distance and a direction
+    kShadow = 16,              // visibility of a light
+    kTranslucentShadow = 32,   // the same, and the colour that comes through
     kColor = kRadiance | kSphericalHarmonics,
     kStabilized = kColor | kDirectionalOcclusion
 };
 
-// The variants a row applies to: those that have one of the lobes and are of one of the kinds.
+enum class Keeps : uint8_t // from frame to frame
+{
+    Any, // of rows: whatever the variant keeps
+    History,
+    Nothing
+};
+
+// The variants a row applies to: those that have one of the lobes, are of one of the kinds, and keep as much.
 struct Having
 {
     constexpr Having() = default;
     constexpr Having(Lobes l) : lobes(l) {}
     constexpr Having(Kinds k) : kinds(k) {}
     constexpr Having(Lobes l, Kinds k) : lobes(l), kinds(k) {}
+    constexpr Having(Keeps keep, Kinds k = kAnyKind) : kinds(k), keeps(keep) {}
 
     Lobes lobes = kNoLobe;  // kNoLobe = whatever the lobes
     Kinds kinds = kAnyKind; // kAnyKind = whatever the kind
+    Keeps keeps = Keeps::Any;
 };
 
 struct Variant;
@@ -178,12 +189,14 @@ struct Variant
     Lobes lobes;
     Kinds kind;
     FixedList<SignalRow, 4> signals; // with a second texture per lobe, those come after the first ones
+    Keeps keeps = Keeps::History;
 };
 
 constexpr bool has(const Variant& variant, Having needed)
 {
     return (needed.lobes == kNoLobe || (variant.lobes & needed.lobes) != 0) &&
-           (needed.kinds == kAnyKind || (variant.kind & needed.kinds) != 0);
+           (needed.kinds == kAnyKind || (variant.kind & needed.kinds) != 0) &&
+           (needed.keeps == Keeps::Any || needed.keeps == variant.keeps);
 }
 
 // The shader of a pass for each variant to which the pass applies: enumerators from first to last, in the order of the

@@ -67,6 +67,20 @@ Error findError(const ReblurSettings& s)
     return check.error();
 }
 
+Error findError(const SigmaSettings& s)
+{
+    Checker check("SigmaSettings");
+    for (int i = 0; i < 3; i++)
+    {
+        check.inside("lightDirection", s.lightDirection[i], -kHuge, kHuge, i);
+        check.inside("lightPosition", s.lightPosition[i], -kHuge, kHuge, i);
+    }
+    check.aboveUpTo("planeDistanceSensitivity", s.planeDistanceSensitivity, 0.0f, 1.0f);
+    check.inside("maxStabilizedFrameNum", s.maxStabilizedFrameNum, 0u, 15u);
+    check.enumerator("checkerboardMode", s.checkerboardMode);
+    return check.error();
+}
+
 Error findError(const ReferenceSettings& s)
 {
     Checker check("ReferenceSettings");
@@ -87,6 +101,12 @@ void checkDenoisers(Error& error, const InstanceCreationDesc& desc)
             error.text << "InstanceCreationDesc::denoisers[" << i << "].denoiser is "
                        << static_cast<uint32_t>(denoiser.denoiser) << " (" << toString(denoiser.denoiser)
                        << "), expected one of LibraryDesc::supportedDenoisers";
+        }
+        if (!error && !findVariant(denoiser.denoiser, keptBy(denoiser)).family)
+        {
+            error.result = Result::INVALID_ARGUMENT;
+            error.text << "InstanceCreationDesc::denoisers[" << i << "].hasHistory is 0, expected 1: "
+                       << toString(denoiser.denoiser) << " does not work without";
         }
         if (!error && (denoiser.resolutionDivisor < 1 || denoiser.resolutionDivisor > 8))
         {

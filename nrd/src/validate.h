@@ -18,5 +18,6 @@ Error findError(const InstanceCreationDesc& desc);
 Error findError(const CommonSettings& settings, NormalEncoding normalEncoding);
 Error findError(const ReblurSettings& settings);
 Error findError(const RelaxSettings& settings);
+Error findError(const SigmaSettings& settings);
 Error findError(const ReferenceSettings& settings);
 } // namespace nrd

@@ -21,6 +21,9 @@ layout(push_constant) uniform Constants
     float constant;
     uint checkerboardMode; // nrd::CheckerboardMode, 0 for what is no lobe
     uint frameIndex;
+    uint lightKind; // REPLAY_LIGHT_...
+    vec4 light;     // .xyz view space, of local lights; .w radius, or tangent of the angular radius
+    vec4 frustum;   // .xy slopes x/z, y/z at uv (0, 0), .zw their change to (1, 1)
 }
 g;
 
@@ -56,11 +59,21 @@ vec4 packLobe(ivec2 pixel, vec4 lobe)
     return g.mode == REPLAY_PACK_REBLUR_SH0 ? sh0 : sh1;
 }
 
+float packPenumbra(ivec2 pixel, float hitDist)
+{
+    if (g.lightKind == REPLAY_LIGHT_SUN) return SIGMA_FrontEnd_PackPenumbra(hitDist, g.light.w);
+    vec2 slope = g.frustum.xy + (vec2(pixel) + 0.5) / vec2(g.size) * g.frustum.zw;
+    vec3 X = vec3(slope, 1.0) * texelFetch(gIn_Depth, pixel, 0).x;
+    return SIGMA_FrontEnd_PackPenumbra(hitDist, distance(X, g.light.xyz), 2.0 * g.light.w);
+}
+
 vec4 pack(ivec2 pixel)
 {
     if (g.mode == REPLAY_PACK_CONSTANT) return vec4(g.constant);
     vec4 layer = texelFetch(gIn_Layer, pixel, 0);
     if (g.mode == REPLAY_PACK_COPY) return layer;
+    if (g.mode == REPLAY_PACK_SIGMA_PENUMBRA) return vec4(packPenumbra(pixel, layer.w));
+    if (g.mode == REPLAY_PACK_SIGMA_TRANSLUCENCY) return SIGMA_FrontEnd_PackTranslucency(layer.w, layer.xyz);
     if (g.mode != REPLAY_PACK_NORMAL_ROUGHNESS) return packLobe(pixel, layer);
     float materialID = float(uint(texelFetch(gIn_Depth, pixel, 0).y) & 3u);
     return NRD_FrontEnd_PackNormalAndRoughness(layer.xyz, layer.w, materialID);

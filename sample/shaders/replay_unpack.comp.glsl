@@ -73,6 +73,7 @@ vec4 unpack(ivec2 pixel)
 {
     vec4 data = texelFetch(gIn_Slot, pixel, 0);
     if (g.mode == REPLAY_UNPACK_COPY) return data;
+    if (g.mode == REPLAY_UNPACK_SIGMA) return SIGMA_BackEnd_UnpackShadow(data).yzwx;
     if (g.mode == REPLAY_UNPACK_REBLUR_HITDIST) return vec4(data.x);
     if (g.mode == REPLAY_UNPACK_REBLUR_RADIANCE) return REBLUR_BackEnd_UnpackRadianceAndNormHitDist(data);
     if (g.mode == REPLAY_UNPACK_RELAX_RADIANCE) return RELAX_BackEnd_UnpackRadiance(data);

@@ -24,6 +24,7 @@ struct DenoiserConstants
     vec4 motionVectorScale;     // .w 1 = world space
     vec4 relaxDoubt;      // by confidence: multiplier, of the luma stop, of the normal stop; .w unused
     vec4 relaxAntilag;    // acceleration, spatial sigma, temporal sigma, reset
+    vec4 sigmaLight;      // .xyz in view space: .w 1 = direction to the light, 2 = its position, 0 = unknown
     vec2 rectSize;        // pixels
     vec2 rectSizeInv;
     vec2 rectSizePrev;
@@ -73,6 +74,9 @@ struct DenoiserConstants
     float relaxViewRelaxation;
     float relaxVarianceBoost;
     float relaxSpatialVarianceFrameNum;
+    float sigmaKernelScale; // radius of the sparse part over the penumbra's half-width
+    float sigmaMinCosine;   // of the light's inclination: how far a kernel is stretched at most
+    float sigmaClampScale;  // standard deviations
     uint relaxRoughnessStop;  // 1: on
     uint strandMaterialID;
     uint cameraAttachedMaterialID;

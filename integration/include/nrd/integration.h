@@ -186,6 +186,7 @@ public:
     /// Copied; kept until set again, also across Resize().
     Result SetDenoiserSettings(Identifier identifier, const ReblurSettings& settings);
     Result SetDenoiserSettings(Identifier identifier, const RelaxSettings& settings);
+    Result SetDenoiserSettings(Identifier identifier, const SigmaSettings& settings);
     Result SetDenoiserSettings(Identifier identifier, const ReferenceSettings& settings);
 
     /// Records the named denoisers, in the order of the list, each at most once per frame. `commandBuffer` is in the

@@ -34,6 +34,9 @@ struct DenoiserDesc
     // [1; 8]. Inputs, outputs and history of this denoiser have ceil(size / resolutionDivisor) pixels a side; the
     // common settings stay those of the full resolution.
     uint32_t resolutionDivisor = 1;
+    // false, SIGMA only: no temporal stabilisation whatever the settings say, and so no history memory. One such
+    // denoiser serves any number of lights, one after another.
+    bool hasHistory = true;
 };
 
 struct InstanceCreationDesc

@@ -23,6 +23,7 @@ NRD_API Result SetCommonSettings(Instance& instance, const CommonSettings& setti
 // Copied; kept until set again. INVALID_ARGUMENT if no denoiser has this identifier or it is of another family.
 NRD_API Result SetDenoiserSettings(Instance& instance, Identifier identifier, const ReblurSettings& settings);
 NRD_API Result SetDenoiserSettings(Instance& instance, Identifier identifier, const RelaxSettings& settings);
+NRD_API Result SetDenoiserSettings(Instance& instance, Identifier identifier, const SigmaSettings& settings);
 NRD_API Result SetDenoiserSettings(Instance& instance, Identifier identifier, const ReferenceSettings& settings);
 
 // The dispatches of the named denoisers, in the order of the list. Each identifier at most once per

@@ -192,6 +192,21 @@ struct RelaxSettings
     bool enableRoughnessEdgeStopping = true; // false: specular stops at normals as diffuse does
 };
 
+// For the visibility of one light, IN_PENUMBRA and IN_TRANSLUCENCY; the output is its square root.
+struct SigmaSettings
+{
+    // Where the light is, so that a penumbra is stretched along the direction the light comes from: on a floor under a
+    // low sun it is several times as long as wide. A direction for the sun, a position for a local light.
+    float lightDirection[3] = {0.0f, 0.0f, 0.0f}; // world space, from the surface to the light; (0; 0; 0) = unknown
+    float lightPosition[3] = {0.0f, 0.0f, 0.0f};  // world space, of use if isLightLocal
+    bool isLightLocal = false;
+
+    float planeDistanceSensitivity = 0.02f; // (0; 1], fraction of the frustum's size at that depth
+    uint32_t maxStabilizedFrameNum = 5;     // [0; 15] frames, 0 = no temporal stabilisation; longer lags more
+
+    CheckerboardMode checkerboardMode = CheckerboardMode::OFF;
+};
+
 // History lengths should come from time: floor(seconds * fps + 0.5), at most 63, the longest history of any family.
 // With frame generation fps is the rendered rate. Nothing sensible (NaN, negative) gives 0.
 inline uint32_t GetMaxAccumulatedFrameNum(float seconds, float fps)

@@ -6,7 +6,8 @@ namespace nrd
 {
 extern const Family kReblur;
 extern const Family kRelax;
+extern const Family kSigma;
 extern const Family kReference;
 
-constexpr const Family* kFamilies[] = {&kReblur, &kRelax, &kReference};
+constexpr const Family* kFamilies[] = {&kReblur, &kRelax, &kSigma, &kReference};
 } // namespace nrd

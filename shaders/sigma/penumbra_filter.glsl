@@ -1,0 +1,173 @@
+// One blur of both: a dense part of 5x5 pixels from shared memory, which finds the width of the penumbra, and a sparse
+// part as wide as the penumbra. Needs gIn_Tiles, gIn_ViewZ, gIn_NormalRoughness and
+// ShadowSample readFiltered(ivec2 pixel, float viewZ), what is filtered.
+#ifndef PENUMBRA_FILTER_GLSL
+#define PENUMBRA_FILTER_GLSL
+
+const int kRadius = 2;
+const ivec2 kHalo = ivec2(8 + 2 * kRadius, 16 + 2 * kRadius);
+const float kWidestKernel = 32.0; // pixels
+const float kOutOfRange = -1.0;
+
+shared uint sKinds;
+shared float sViewZ[kHalo.y][kHalo.x];
+shared float sRadius[kHalo.y][kHalo.x]; // kOutOfRange: not to be used
+shared Shadow sShadow[kHalo.y][kHalo.x];
+
+// Of the group's tile and those around it. Every invocation of the group must come here.
+uint gatherKinds(ivec2 group)
+{
+    if (gl_LocalInvocationIndex == 0) sKinds = 0u;
+    barrier();
+    int i = int(gl_LocalInvocationIndex);
+    ivec2 tile = group / TILE_SIZE + ivec2(i % 3, i / 3) - 1;
+    if (i < 9 && all(greaterThanEqual(tile, ivec2(0))) && all(lessThanEqual(tile, g.rectSizeMinusOne / TILE_SIZE)))
+        atomicOr(sKinds, texelFetch(gIn_Tiles, tile, 0).x);
+    barrier();
+    return sKinds;
+}
+
+void loadNeighbourhood(ivec2 group)
+{
+    for (int i = int(gl_LocalInvocationIndex); i < kHalo.x * kHalo.y; i += 128)
+    {
+        ivec2 local = ivec2(i % kHalo.x, i / kHalo.x);
+        ivec2 pixel = group + local - kRadius;
+        ivec2 inside = clampToRect(pixel);
+        float viewZ = decodeViewZ(texelFetch(gIn_ViewZ, guideTexel(inside), 0).x);
+        bool isUsed = pixel == inside && isInRange(viewZ);
+        ShadowSample s = ShadowSample(Shadow(0.0), kOutOfRange);
+        if (isUsed) s = readFiltered(pixel, viewZ); // what is out of range was not written
+        sViewZ[local.y][local.x] = viewZ;
+        sRadius[local.y][local.x] = s.radius;
+        sShadow[local.y][local.x] = s.shadow;
+    }
+}
+
+struct Receiver
+{
+    ivec2 pixel;
+    vec3 Xv;
+    vec3 Nv;
+    float pixelSize;
+    float planeScale; // 1 / world units
+};
+
+Receiver makeReceiver(ivec2 pixel, float viewZ)
+{
+    Receiver r;
+    r.pixel = pixel;
+    r.Xv = reconstructViewPosition(pixelUv(pixel), g.frustum, viewZ, g.cameraDelta.w);
+    vec3 N = decodeGuide(texelFetch(gIn_NormalRoughness, guideTexel(pixel), 0)).N;
+    r.Nv = N * mat3(g.viewToWorld); // the inverse of a rotation
+    r.pixelSize = getPixelSize(viewZ);
+    r.planeScale = 1.0 / (g.planeDistanceSensitivity * getFrustumSize(viewZ));
+    return r;
+}
+
+float planeWeight(Receiver r, ivec2 pixel, float viewZ)
+{
+    vec3 Xv = reconstructViewPosition(pixelUv(pixel), g.frustum, viewZ, g.cameraDelta.w);
+    return soft(abs(dot(r.Nv, Xv - r.Xv)) * r.planeScale);
+}
+
+// Small penumbrae dominate the mean: near a contact the narrow one is right.
+float widthWeight(float radius) { return 1.0 / (1.0 + radius); }
+
+struct Sums
+{
+    Shadow shadow;
+    float weight;
+    float radius;
+    float radiusWeight; // of hits only: lit pixels have no width
+};
+
+void addSample(inout Sums sums, ShadowSample s, float weight)
+{
+    if (!(weight > 0.0)) return;
+    sums.shadow += s.shadow * weight;
+    sums.weight += weight;
+    if (isLit(s.radius)) return;
+    sums.radius += s.radius * weight * widthWeight(s.radius);
+    sums.radiusWeight += weight * widthWeight(s.radius);
+}
+
+// own: not facing away.
+Sums sumDense(Receiver r, ShadowSample own)
+{
+    Sums sums = Sums(Shadow(0.0), 0.0, 0.0, 0.0);
+    ivec2 local = ivec2(gl_LocalInvocationID.xy);
+    for (int i = 0; i < 25; i++)
+    {
+        ivec2 offset = ivec2(i % 5, i / 5);
+        float radius = sRadius[local.y + offset.y][local.x + offset.x];
+        if (radius == kOutOfRange || isUnlit(radius)) continue;
+        float viewZ = sViewZ[local.y + offset.y][local.x + offset.x];
+        vec2 distance = vec2(offset - kRadius);
+        float weight = i == 12 ? 1.0 : exp2(-0.238 * dot(distance, distance)); // exp(-0.66 (d / 2)^2)
+        if (i != 12) weight *= planeWeight(r, r.pixel + offset - kRadius, viewZ);
+        addSample(sums, ShadowSample(sShadow[local.y + offset.y][local.x + offset.x], radius), weight);
+    }
+    return sums;
+}
+
+// Pixels per penumbra half-width of one pixel, along two axes on the receiving surface: a disc of light throws an
+// ellipse, longer along the direction the light comes from the flatter it comes.
+mat2 makeKernel(Receiver r)
+{
+    vec3 L = g.sigmaLight.w == 0.0 ? vec3(0.0) : g.sigmaLight.xyz;
+    if (g.sigmaLight.w == 2.0) L = NRD_NormalizeOrZero(g.sigmaLight.xyz - r.Xv);
+    float cosine = dot(r.Nv, L);
+    vec3 T = L - r.Nv * cosine, B;
+    float stretch = 1.0;
+    if (dot(T, T) > 1e-4)
+    {
+        T = normalize(T);
+        B = cross(r.Nv, T);
+        stretch = 1.0 / max(abs(cosine), g.sigmaMinCosine);
+    }
+    else
+        tangentBasis(r.Nv, T, B);
+    vec2 slope = g.cameraDelta.w != 0.0 ? vec2(0.0) : r.Xv.xy / r.Xv.z;
+    vec2 scale = g.unproject * g.rectSize / g.frustum.zw; // -1 where screen and view run against each other
+    return mat2((T.xy - slope * T.z) * scale * stretch, (B.xy - slope * B.z) * scale);
+}
+
+const vec3 kSparseTaps[8] = vec3[](
+    vec3(-1.0, 0.0, 0.5169), vec3(0.0, 1.0, 0.5169), vec3(1.0, 0.0, 0.5169), vec3(0.0, -1.0, 0.5169),
+    vec3(-0.35355, 0.35355, 0.8479), vec3(0.35355, 0.35355, 0.8479),
+    vec3(0.35355, -0.35355, 0.8479), vec3(-0.35355, -0.35355, 0.8479));
+
+void addSparse(inout Sums sums, Receiver r, float radius, vec4 rotator)
+{
+    mat2 kernel = makeKernel(r) * min(radius * g.sigmaKernelScale, kWidestKernel);
+    for (int i = 0; i < 8; i++)
+    {
+        vec2 offset = kernel * (kSparseTaps[i].x * rotator.xy + kSparseTaps[i].y * rotator.zw);
+        vec2 uv = mirrorUv(pixelUv(r.pixel) + offset * g.rectSizeInv);
+        ivec2 pixel = clampToRect(ivec2(uv * g.rectSize));
+        float viewZ = decodeViewZ(texelFetch(gIn_ViewZ, guideTexel(pixel), 0).x);
+        if (!isInRange(viewZ)) continue;
+        ShadowSample s = readFiltered(pixel, viewZ);
+        if (isUnlit(s.radius)) continue;
+        // Umbra under a near occluder stays out of the mean of a wide penumbra.
+        float weight = kSparseTaps[i].z * saturate(s.radius / radius) * planeWeight(r, pixel, viewZ);
+        addSample(sums, s, weight);
+    }
+}
+
+ShadowSample filterPenumbra(Receiver r, ShadowSample own, vec4 rotator)
+{
+    Sums dense = sumDense(r, own);
+    float radius = dense.radiusWeight > 0.0 ? dense.radius / dense.radiusWeight : 0.0;
+    // Penumbrae below two pixels keep their sharp sample, and are hardly moved by the sparse part.
+    float f = smooth01(radius * g.sigmaKernelScale * 0.5);
+    Shadow shadow = mix(own.shadow, dense.shadow / dense.weight, f);
+    if (radius == 0.0) return ShadowSample(shadow, own.radius);
+    float boost = mix(4.0, 1.0, f);
+    Sums sums = Sums(shadow * boost, boost, radius * boost * widthWeight(radius), boost * widthWeight(radius));
+    addSparse(sums, r, radius, rotator);
+    return ShadowSample(sums.shadow / sums.weight, sums.radius / sums.radiusWeight);
+}
+
+#endif
