@@ -74,9 +74,6 @@ struct DenoiserConstants
     float relaxViewRelaxation;
     float relaxVarianceBoost;
     float relaxSpatialVarianceFrameNum;
-    float sigmaKernelScale; // radius of the sparse part over the penumbra's half-width
-    float sigmaMinCosine;   // of the light's inclination: how far a kernel is stretched at most
-    float sigmaClampScale;  // standard deviations
     uint relaxRoughnessStop;  // 1: on
     uint strandMaterialID;
     uint cameraAttachedMaterialID;

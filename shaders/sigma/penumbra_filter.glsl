@@ -7,6 +7,10 @@
 const int kRadius = 2;
 const ivec2 kHalo = ivec2(8 + 2 * kRadius, 16 + 2 * kRadius);
 const float kWidestKernel = 32.0; // pixels
+// Radius of the sparse part over the penumbra's half-width. Wider blurs the penumbra's ends, narrower leaves noise to
+// the frames that follow; both blurs together reach half of the penumbra.
+const float kKernelScale = 0.35;
+const float kMinCosine = 0.25; // of the light with the surface: stretches a kernel four times at most
 const float kOutOfRange = -1.0;
 
 shared uint sKinds;
@@ -124,7 +128,7 @@ mat2 makeKernel(Receiver r)
     {
         T = normalize(T);
         B = cross(r.Nv, T);
-        stretch = 1.0 / max(abs(cosine), g.sigmaMinCosine);
+        stretch = 1.0 / max(abs(cosine), kMinCosine);
     }
     else
         tangentBasis(r.Nv, T, B);
@@ -140,7 +144,7 @@ const vec3 kSparseTaps[8] = vec3[](
 
 void addSparse(inout Sums sums, Receiver r, float radius, vec4 rotator)
 {
-    mat2 kernel = makeKernel(r) * min(radius * g.sigmaKernelScale, kWidestKernel);
+    mat2 kernel = makeKernel(r) * min(radius * kKernelScale, kWidestKernel);
     for (int i = 0; i < 8; i++)
     {
         vec2 offset = kernel * (kSparseTaps[i].x * rotator.xy + kSparseTaps[i].y * rotator.zw);
@@ -156,12 +160,14 @@ void addSparse(inout Sums sums, Receiver r, float radius, vec4 rotator)
     }
 }
 
+// Narrow penumbrae keep their sharp sample, and are hardly moved by the sparse part: 0 for none, 1 from six pixels on.
+float softness(float radius) { return smooth01(radius * kKernelScale * 0.5); }
+
 ShadowSample filterPenumbra(Receiver r, ShadowSample own, vec4 rotator)
 {
     Sums dense = sumDense(r, own);
     float radius = dense.radiusWeight > 0.0 ? dense.radius / dense.radiusWeight : 0.0;
-    // Penumbrae below two pixels keep their sharp sample, and are hardly moved by the sparse part.
-    float f = smooth01(radius * g.sigmaKernelScale * 0.5);
+    float f = softness(radius);
     Shadow shadow = mix(own.shadow, dense.shadow / dense.weight, f);
     if (radius == 0.0) return ShadowSample(shadow, own.radius);
     float boost = mix(4.0, 1.0, f);

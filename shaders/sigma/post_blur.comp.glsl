@@ -39,6 +39,10 @@ void main()
     bool isPenumbra = kinds == kTilePenumbra; // the same for the whole group
     if (isPenumbra) loadNeighbourhood(group);
     barrier();
+#if HAS_HISTORY
+    if (isPenumbra) loadPasts(group);
+    barrier();
+#endif
     if (!isInRect(pixel)) return;
     float viewZ = decodeViewZ(texelFetch(gIn_ViewZ, guideTexel(pixel), 0).x);
     if (!isInRange(viewZ))
@@ -53,7 +57,7 @@ void main()
     if (isFiltered) result = filterPenumbra(makeReceiver(pixel, viewZ), result, g.rotatorPostBlur);
 #if HAS_HISTORY
     Past past = Past(result.shadow, kLongestHistory); // what was not filtered needs no history, and makes a good one
-    if (isFiltered) past = stabilize(pixel, result.shadow);
+    if (isFiltered) past = stabilize(pixel, result.shadow, result.radius);
     result.shadow = past.shadow;
     imageStore(gOut_History, pixel, uvec4((packDepth(viewZ) << 16) | packVisibility(past), packColor(past), 0u, 0u));
 #endif

@@ -4,6 +4,10 @@
 #define STABILIZE_SHADOW_GLSL
 #include "shadow_history.glsl"
 
+const float kClampScale = 1.5; // standard deviations
+const float kChangeNoise = 0.6; // over the deviation of single samples: of the mean over the window, in wide penumbrae
+const float kChangeSensitivity = 5.0, kChangeTolerance = 0.1;
+
 struct Moments
 {
     Shadow mean;
@@ -45,15 +49,53 @@ Past readPast(ivec2 pixel)
     return unpackPast(texelFetch(gIn_Past, pixel, 0).x, colorWord);
 }
 
-Past stabilize(ivec2 pixel, Shadow now)
+shared float sPast[kHalo.y][kHalo.x]; // visibility; kOutOfRange: none
+
+void loadPasts(ivec2 group)
+{
+    for (int i = int(gl_LocalInvocationIndex); i < kHalo.x * kHalo.y; i += 128)
+    {
+        ivec2 local = ivec2(i % kHalo.x, i / kHalo.x);
+        ivec2 pixel = group + local - kRadius;
+        bool isUsed = pixel == clampToRect(pixel) && sRadius[local.y][local.x] > 0.0;
+        Past past = unpackPast(isUsed ? texelFetch(gIn_Past, pixel, 0).x : 0u, 0u);
+        sPast[local.y][local.x] = past.n > 0.0 ? visibility(past.shadow) : kOutOfRange;
+    }
+}
+
+// How much of the neighbourhood became lighter or darker. Noise, and what interpolation does to an edge that stays,
+// cancel out in the mean; a shadow that moves does not.
+float measureChange()
+{
+    ivec2 local = ivec2(gl_LocalInvocationID.xy);
+    float sum = 0.0, weightSum = 0.0;
+    for (int i = 0; i < 25; i++)
+    {
+        ivec2 at = local + ivec2(i % 5, i / 5);
+        float past = sPast[at.y][at.x];
+        if (past == kOutOfRange) continue;
+        sum += visibility(sShadow[at.y][at.x]) - past;
+        weightSum += 1.0;
+    }
+    return weightSum > 0.0 ? abs(sum) / weightSum : 0.0;
+}
+
+// How far the past may be trusted: not where the neighbourhood changed by more than the noise of a penumbra explains.
+float measureAgreement(float mean, float radius)
+{
+    float noise = kChangeNoise * sqrt(saturate(mean * (1.0 - mean))) * softness(radius);
+    return 1.0 - saturate((measureChange() - noise) * kChangeSensitivity - kChangeTolerance);
+}
+
+Past stabilize(ivec2 pixel, Shadow now, float radius)
 {
     Past past = readPast(pixel);
     if (g.maxAccumulatedFrameNum.x == 0.0 || past.n == 0.0) return Past(now, 1.0);
     Moments m = measureNeighbourhood();
-    float share = 1.0 / (1.0 + past.n);
-    Shadow reach = m.sigma * mix(g.sigmaClampScale, 1.0, share);
+    Shadow reach = m.sigma * mix(kClampScale, 1.0, newSampleWeight(past.n));
     Shadow bound = clamp(past.shadow, m.mean - reach, m.mean + reach);
     float agreement = 1.0 - sqrt(saturate(abs(visibility(bound) - visibility(past.shadow))));
+    agreement *= measureAgreement(visibility(m.mean), radius);
     float n = min(past.n, g.maxAccumulatedFrameNum.x) * agreement;
     // Flicker where penumbra meets full light and the deviation is tiny.
     Shadow history = mix(bound, past.shadow, 0.6 * agreement * n / (1.0 + n));

@@ -202,7 +202,7 @@ struct SigmaSettings
     bool isLightLocal = false;
 
     float planeDistanceSensitivity = 0.02f; // (0; 1], fraction of the frustum's size at that depth
-    uint32_t maxStabilizedFrameNum = 5;     // [0; 15] frames, 0 = no temporal stabilisation; longer lags more
+    uint32_t maxStabilizedFrameNum = 8;     // [0; 15] frames, 0 = no temporal stabilisation; longer lags more
 
     CheckerboardMode checkerboardMode = CheckerboardMode::OFF;
 };

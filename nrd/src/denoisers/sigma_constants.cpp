@@ -28,9 +28,6 @@ shared::DenoiserConstants makeSigmaConstants(const Request& request)
     fillCommon(request, g);
     fillIncomplete(request, settings.checkerboardMode, HitDistanceReconstructionMode::OFF, g);
     g.sigmaLight = makeLight(request.common, settings);
-    g.sigmaKernelScale = 0.5f;
-    g.sigmaMinCosine = 0.15f;
-    g.sigmaClampScale = 3.0f;
     g.planeDistanceSensitivity = settings.planeDistanceSensitivity;
     g.maxAccumulatedFrameNum.x = static_cast<float>(settings.maxStabilizedFrameNum);
     return g;
