@@ -1,6 +1,8 @@
 #include "bench_camera.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace sample::bench
 {
@@ -103,6 +105,8 @@ ReplaySettings settingsOf(const Workload& workload, const ReplayDenoiser& denois
 {
     ReplaySettings settings;
     settings.common = commonSettingsOf(workload, size, index);
+    constexpr float kSun[3] = {BENCH_SUN_X, BENCH_SUN_Y, BENCH_SUN_Z};
+    std::copy(std::begin(kSun), std::end(kSun), settings.sigma.lightDirection);
     applySettings(settings, denoiser.family, workload.settings);
     return settings;
 }

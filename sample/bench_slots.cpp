@@ -8,6 +8,7 @@ namespace
 {
 using nrd::ResourceType;
 
+constexpr VkFormat kRgba8 = VK_FORMAT_R8G8B8A8_UNORM;
 constexpr VkFormat kRgba16 = VK_FORMAT_R16G16B16A16_SFLOAT;
 constexpr VkFormat kRgba16Snorm = VK_FORMAT_R16G16B16A16_SNORM;
 constexpr VkFormat kRgba32 = VK_FORMAT_R32G32B32A32_SFLOAT;
@@ -15,7 +16,7 @@ constexpr VkFormat kR16 = VK_FORMAT_R16_SFLOAT;
 constexpr VkFormat kR32 = VK_FORMAT_R32_SFLOAT;
 constexpr VkFormat kA2B10G10R10 = VK_FORMAT_A2B10G10R10_UNORM_PACK32;
 
-constexpr Family kAny = Family::None, kReblur = Family::Reblur, kRelax = Family::Relax;
+constexpr Family kAny = Family::None, kReblur = Family::Reblur, kRelax = Family::Relax, kSigma = Family::Sigma;
 constexpr bool kIn = false, kOut = true;
 
 // clang-format off
@@ -40,6 +41,9 @@ constexpr BenchSlot kSlots[] = {
     {ResourceType::IN_DIFF_SH1,                kRelax,            kRgba16,      BENCH_SH1,              false, kIn},
     {ResourceType::IN_SPEC_SH0,                kRelax,            kRgba16,      BENCH_RELAX,            true,  kIn},
     {ResourceType::IN_SPEC_SH1,                kRelax,            kRgba16,      BENCH_SH1,              true,  kIn},
+    {ResourceType::IN_PENUMBRA,                kSigma,            kR16,         BENCH_PENUMBRA,         false, kIn},
+    {ResourceType::IN_TRANSLUCENCY,            kSigma,            kRgba8,       BENCH_TRANSLUCENCY,     false, kIn},
+    {ResourceType::OUT_SHADOW_TRANSLUCENCY,    kSigma,            kRgba8,       0,                      false, kOut},
     {ResourceType::OUT_SIGNAL,                 Family::Reference, kRgba32,      0,                      false, kOut},
     {ResourceType::OUT_DIFF_RADIANCE_HITDIST,  kReblur,           kRgba16,      0,                      false, kOut},
     {ResourceType::OUT_SPEC_RADIANCE_HITDIST,  kReblur,           kRgba16,      0,                      true,  kOut},
@@ -84,6 +88,9 @@ std::vector<BenchSlot> requiredSlots(const nrd::Instance& instance, nrd::Identif
             throw engine::Error(std::string("nrd-bench cannot generate ") + nrd::toString(requirements[i].type) +
                                 ", which " + denoiser.name + " needs under these settings");
         slots.push_back(*slot);
+        // Of a shadow without colour one channel.
+        if (requirements[i].minFormat == nrd::Format::R8_UNORM && slot->format == kRgba8)
+            slots.back().format = VK_FORMAT_R8_UNORM;
     }
     return slots;
 }

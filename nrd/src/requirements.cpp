@@ -6,15 +6,16 @@ namespace nrd
 namespace
 {
 // The smallest format that keeps what the slot carries.
-Format minFormat(ResourceType type, const CommonSettings& common, NormalEncoding encoding)
+Format minFormat(ResourceType type, const Conditions& c)
 {
+    const CommonSettings& common = c.common;
     const bool hasMotionZ = common.isMotionVectorInWorldSpace || common.motionVectorScale[2] != 0.0f;
     switch (type)
     {
     case ResourceType::IN_MV:
         return hasMotionZ ? Format::RGBA16_SFLOAT : Format::RG16_SFLOAT;
     case ResourceType::IN_NORMAL_ROUGHNESS:
-        return guideFormat(encoding);
+        return guideFormat(c.normalEncoding);
     case ResourceType::IN_VIEWZ:
     case ResourceType::IN_PENUMBRA:
         return Format::R16_SFLOAT;
@@ -33,7 +34,7 @@ Format minFormat(ResourceType type, const CommonSettings& common, NormalEncoding
     case ResourceType::OUT_VALIDATION:
         return Format::RGBA8_UNORM;
     case ResourceType::OUT_SHADOW_TRANSLUCENCY:
-        return Format::R8_UNORM;
+        return has(c.variant, kTranslucentShadow) ? Format::RGBA8_UNORM : Format::R8_UNORM;
     case ResourceType::IN_SIGNAL:
     case ResourceType::OUT_SIGNAL:
         return Format::R8_UNORM;
@@ -108,7 +109,7 @@ Result Instance::getRequiredResources(Identifier identifier, const ResourceRequi
         if (!input.isBound && !output.isBound) continue;
         const DescriptorType descriptor = output.isBound ? DescriptorType::STORAGE_TEXTURE : DescriptorType::TEXTURE;
         m_requirements.push({type, descriptor, input.isRequired || output.isRequired,
-                             minFormat(type, m_common, m_desc.normalEncoding)});
+                             minFormat(type, conditions)});
     }
     requirements = m_requirements.begin();
     num = static_cast<uint32_t>(m_requirements.size());

@@ -20,6 +20,12 @@ using uvec4 = std::array<uint32_t, 4>;
 #define BENCH_DIRECTION 6 // direction of the ray times normalised hit distance, and that
 #define BENCH_SH1 7       // direction of the ray times luma
 #define BENCH_RELAX 8     // linear radiance and hit distance in metres; also the first of an SH pair
+#define BENCH_PENUMBRA 9  // of the sun, and below what comes through on the way to it: metals stand in for tinted glass
+#define BENCH_TRANSLUCENCY 10
+
+#define BENCH_SUN_X 0.39f // towards the sun
+#define BENCH_SUN_Y 0.78f
+#define BENCH_SUN_Z (-0.49f)
 
 struct BenchConstants
 {

@@ -13,7 +13,7 @@ const int kSphereColumns = 10;
 const int kSphereRows = 3;
 const int kBoxes = 5;
 const int kLamp = 2; // of the boxes
-const vec3 kSunDirection = vec3(0.39, 0.78, -0.49);
+const vec3 kSunDirection = vec3(BENCH_SUN_X, BENCH_SUN_Y, BENCH_SUN_Z);
 const float kSunSpread = 0.05; // radians
 const float kSunIrradiance = 3.0;
 

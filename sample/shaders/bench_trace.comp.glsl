@@ -51,13 +51,18 @@ vec3 sampleGgx(vec2 u, vec3 n, vec3 view, float roughness)
     return reflect(-view, normalize(t * h.x + b * h.y + n * h.z));
 }
 
-// Radiance of sunlight that a white diffuse surface reflects, one shadow ray.
-float sunlight(vec3 p, vec3 n, inout uint seed)
+vec3 sampleSun(inout uint seed)
 {
     float u = nextRandom(seed), phi = 2.0 * kPi * nextRandom(seed);
     vec3 t, b;
     makeFrame(kSunDirection, t, b);
-    vec3 d = normalize(kSunDirection + (t * cos(phi) + b * sin(phi)) * (kSunSpread * sqrt(u)));
+    return normalize(kSunDirection + (t * cos(phi) + b * sin(phi)) * (kSunSpread * sqrt(u)));
+}
+
+// Radiance of sunlight that a white diffuse surface reflects, one shadow ray.
+float sunlight(vec3 p, vec3 n, inout uint seed)
+{
+    vec3 d = sampleSun(seed);
     float cosine = dot(n, d);
     if (cosine <= 0.0 || trace(p, d).distance < kNoHit) return 0.0;
     return kSunIrradiance * cosine / kPi;
@@ -103,6 +108,14 @@ vec4 packLobe(LobeSample lobe, float viewZ, float roughness)
     return g.target.x == BENCH_SIGNAL ? vec4(lobe.radiance, 1.0) : radiance;
 }
 
+vec4 packShadow(vec3 p, vec3 n, uint seed)
+{
+    Hit hit = trace(p, sampleSun(seed));
+    float distance = dot(n, kSunDirection) <= 0.0 ? 0.0 : hit.distance < kNoHit ? hit.distance : NRD_FP16_MAX;
+    if (g.target.x == BENCH_PENUMBRA) return vec4(SIGMA_FrontEnd_PackPenumbra(distance, tan(kSunSpread)));
+    return SIGMA_FrontEnd_PackTranslucency(distance, hit.isMetal ? hit.color : vec3(0.0));
+}
+
 vec4 packPixel(Hit hit, vec3 o, vec3 d, uint seed)
 {
     float c = cos(g.camera.w), s = sin(g.camera.w);
@@ -112,6 +125,7 @@ vec4 packPixel(Hit hit, vec3 o, vec3 d, uint seed)
     if (g.target.x == BENCH_MOTION || isSky) return vec4(0.0); // nothing in the scene moves
     if (g.target.x == BENCH_NORMAL_ROUGHNESS)
         return NRD_FrontEnd_PackNormalAndRoughness(hit.normal, hit.roughness, hit.isMetal ? 1.0 : 0.0);
+    if (g.target.x >= BENCH_PENUMBRA) return packShadow(o + d * hit.distance + hit.normal * 1e-3, hit.normal, seed);
     LobeSample lobe = sampleLobe(hit, o + d * hit.distance + hit.normal * 1e-3, -d, seed);
     return packLobe(lobe, viewZ, hit.roughness);
 }

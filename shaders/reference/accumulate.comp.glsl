@@ -7,7 +7,7 @@
 layout(local_size_x = 16, local_size_y = 16) in;
 layout(set = SET_CONSTANTS, binding = BINDING_CONSTANTS, std140) uniform Constants { ReferenceConstants g; };
 layout(set = SET_RESOURCES, binding = 0) uniform texture2D gIn_Signal;
-layout(set = SET_RESOURCES, binding = 1) uniform texture2D gPrev_Mean;
+layout(set = SET_RESOURCES, binding = 1) uniform texture2D gIn_Mean;
 layout(set = SET_RESOURCES, binding = 2) uniform writeonly image2D gOut_Mean;
 
 void main()
@@ -15,7 +15,7 @@ void main()
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(vec2(pixel), g.rectSize))) return;
     vec4 signal = texelFetch(gIn_Signal, pixel, 0);
-    vec4 mean = texelFetch(gPrev_Mean, pixel, 0);
+    vec4 mean = texelFetch(gIn_Mean, pixel, 0);
     // A NaN in the history must not survive a restart, so weight 1 selects; a + (b - a) w is exact for a = b.
     imageStore(gOut_Mean, pixel, g.weight == 1.0 ? signal : mean + (signal - mean) * g.weight);
 }

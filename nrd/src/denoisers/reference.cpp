@@ -17,14 +17,15 @@ enum Tex : uint8_t
 };
 
 constexpr TextureRow kTextures[] = {
-    {Mean, "Mean", fixed(Format::RGBA32_SFLOAT), Lifetime::PingPong},
+    {Mean, "Mean", fixed(Format::RGBA32_SFLOAT), Lifetime::Permanent},
 };
 static_assert(rowsMatchKeys(kTextures));
 
 bool always(const Conditions&) { return true; }
 
+// The mean is updated in place: each invocation reads and writes its own texel only.
 constexpr PassRow kPasses[] = {
-    {"Accumulate", Shader::ReferenceAccumulate, {ResourceType::IN_SIGNAL, prev(Mean)}, {Mean}, {16, 16}, always},
+    {"Accumulate", Shader::ReferenceAccumulate, {ResourceType::IN_SIGNAL, Mean}, {Mean}, {16, 16}, always},
     {"Copy", Shader::ReferenceCopy, {Mean}, {ResourceType::OUT_SIGNAL}, {16, 16}, always},
 };
 
