@@ -6,15 +6,6 @@
 
 namespace nrd
 {
-namespace
-{
-// Without stabilisation these have no history, and one of them may serve many lights in a frame.
-bool mayRepeat(Denoiser denoiser)
-{
-    return denoiser == Denoiser::SIGMA_SHADOW || denoiser == Denoiser::SIGMA_SHADOW_TRANSLUCENCY;
-}
-} // namespace
-
 void Core::denoise(VkCommandBuffer commandBuffer, rhi::Span<const Identifier> identifiers, NrdUserPool& userPool,
                    const DenoiseOptions& options)
 {
@@ -54,7 +45,7 @@ void Core::checkRequest(rhi::Span<const Identifier> identifiers, const NrdUserPo
         const DenoiserState& denoiser = find(identifiers[i]);
         const bool isListedTwice =
             std::find(identifiers.begin(), identifiers.begin() + i, identifiers[i]) != identifiers.begin() + i;
-        if (isListedTwice || (denoiser.lastFrame == m_frame && !mayRepeat(denoiser.desc.denoiser)))
+        if (isListedTwice || (denoiser.lastFrame == m_frame && denoiser.desc.hasHistory))
             throw Refusal(Result::INVALID_ARGUMENT,
                           sentence("identifier %u (%s) is denoised twice in one frame, which would spoil its history",
                                    identifiers[i], toString(denoiser.desc.denoiser)));

@@ -138,7 +138,9 @@ Error Instance::findRequestError(const Identifier* identifiers, uint32_t num)
         const CompiledDenoiser* denoiser = find(identifiers[i]);
         if (!denoiser) return unknownIdentifier(identifiers[i]);
         const bool isRepeated = std::find(identifiers, identifiers + i, identifiers[i]) != identifiers + i;
-        if (!isRepeated && !denoiser->isRequested) continue;
+        // Without history one denoiser serves any number of lights; each call overwrites the dispatches of the last.
+        const bool mayReturn = denoiser->program.variant->keeps == Keeps::Nothing;
+        if (!isRepeated && (!denoiser->isRequested || mayReturn)) continue;
         error.text << "identifiers[" << i << "] is " << identifiers[i]
                    << " again, expected each identifier once per SetCommonSettings";
         return error;

@@ -15,7 +15,7 @@ float isSamePlane(Receiver r, vec3 Xprev, ivec2 texel, float viewZ)
 Past reproject(Receiver r, float viewZ)
 {
     Past none = Past(Shadow(0.0), 0.0);
-    if (g.isHistoryReset != 0u) return none;
+    if (g.isHistoryReset != 0u || g.maxAccumulatedFrameNum.x == 0.0) return none;
     vec3 X = rotate(g.viewToWorld, r.Xv);
     Motion motion = followMotion(pixelUv(r.pixel), viewZ, X, readMotion(gIn_Motion, gIn_ViewZ, r.pixel));
     if (!isInScreen(motion.uv)) return none;

@@ -321,8 +321,8 @@ TEST_CASE("instances that cannot be are refused and named", "[unit]")
 
     CHECK(create(good, {{0, Denoiser::REFERENCE}, {3, Denoiser::MAX_NUM}}, messages) == Result::UNSUPPORTED);
     CHECK_THAT(messages.texts[0], containing("denoisers[1].denoiser is 19 (UNKNOWN)"));
-    CHECK(create(good, {{0, Denoiser::SIGMA_SHADOW}}, messages) == Result::UNSUPPORTED);
-    CHECK_THAT(messages.texts[0], containing("SIGMA_SHADOW"));
+    CHECK(create(good, {{0, Denoiser::RELAX_DIFFUSE, 1, false}}, messages) == Result::INVALID_ARGUMENT);
+    CHECK_THAT(messages.texts[0], containing("denoisers[0].hasHistory is 0, expected 1: RELAX_DIFFUSE"));
     CHECK(create(good, {{4, Denoiser::REFERENCE}, {4, Denoiser::REFERENCE}}, messages) ==
           Result::NON_UNIQUE_IDENTIFIER);
     CHECK_THAT(messages.texts[0], containing("denoisers[1].identifier is 4"));

@@ -25,10 +25,10 @@ struct Mean
 };
 } // namespace
 
-TEST_CASE("REFERENCE accumulates into one texture of a pair and copies that one", "[unit]")
+TEST_CASE("REFERENCE accumulates in place and copies", "[unit]")
 {
     const InstancePtr instance = makeInstance({Denoiser::REFERENCE});
-    CHECK(GetInstanceDesc(*instance).permanentPoolSize == 2);
+    CHECK(GetInstanceDesc(*instance).permanentPoolSize == 1);
     CHECK(GetInstanceDesc(*instance).transientPoolSize == 0);
     CommonSettings common = makeCommon();
     requestFrame(*instance, common);
@@ -36,8 +36,9 @@ TEST_CASE("REFERENCE accumulates into one texture of a pair and copies that one"
     REQUIRE(passNames(dispatches) == std::vector<std::string>{"Accumulate", "Copy"});
     const ResourceDesc* accumulate = dispatches[0].resources;
     CHECK(accumulate[0].type == ResourceType::IN_SIGNAL);
-    CHECK(accumulate[1].indexInPool != accumulate[2].indexInPool);
-    CHECK(dispatches[1].resources[0].indexInPool == accumulate[2].indexInPool);
+    CHECK(accumulate[1].type == ResourceType::PERMANENT_POOL);
+    CHECK(accumulate[2].type == ResourceType::PERMANENT_POOL);
+    CHECK(accumulate[1].state == ResourceState::SAMPLED_AND_STORAGE);
     CHECK(dispatches[1].resources[1].type == ResourceType::OUT_SIGNAL);
 }
 
@@ -46,8 +47,8 @@ TEST_CASE("REFERENCE never clears its output, which may be its input", "[unit]")
     const InstancePtr instance = makeInstance({Denoiser::REFERENCE});
     CommonSettings common = makeCommon();
     const std::vector<DispatchDesc> dispatches = requestFrame(*instance, common);
-    CHECK(dispatches.size() == 4);
-    for (size_t i = 0; i < 2; i++) CHECK(dispatches[i].resources[0].type == ResourceType::PERMANENT_POOL);
+    CHECK(dispatches.size() == 3);
+    CHECK(dispatches[0].resources[0].type == ResourceType::PERMANENT_POOL);
 }
 
 TEST_CASE("each REFERENCE counts its own frames up to its own maximum", "[unit]")

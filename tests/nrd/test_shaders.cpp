@@ -201,6 +201,7 @@ TEST_CASE("constants lie at the same offsets in C++ and in SPIR-V", "[unit]")
         {"motionVectorScale", offsetof(DenoiserConstants, motionVectorScale)},
         {"relaxDoubt", offsetof(DenoiserConstants, relaxDoubt)},
         {"relaxAntilag", offsetof(DenoiserConstants, relaxAntilag)},
+        {"sigmaLight", offsetof(DenoiserConstants, sigmaLight)},
         {"rectSize", offsetof(DenoiserConstants, rectSize)},
         {"rectSizeInv", offsetof(DenoiserConstants, rectSizeInv)},
         {"rectSizePrev", offsetof(DenoiserConstants, rectSizePrev)},

@@ -182,7 +182,9 @@ TEST_CASE("every texture of a variant is bound by a pass, and only ping-pong tex
 
 TEST_CASE("a texture read at other pixels is not written by the same pass", "[unit]")
 {
-    // Temporal accumulation alone reads and writes one place, its own texel of the scratch texture.
+    // Two passes read and write one place, each invocation its own texel.
+    const std::set<std::pair<std::string, std::string>> inPlace = {{"Temporal accumulation", "Scratch"},
+                                                                   {"Accumulate", "Mean"}};
     for (const Case& c : allCases())
     {
         INFO(c.text);
@@ -194,8 +196,8 @@ TEST_CASE("a texture read at other pixels is not written by the same pass", "[un
                 {
                     const Binding& binding = read.pick(c.conditions());
                     if (!(binding == write.pick(c.conditions())) || !binding.isTexture()) continue;
-                    CHECK(std::string(pass.row->name) == "Temporal accumulation");
-                    CHECK(std::string(c.program.textures[binding.texture].row->name) == "Scratch");
+                    INFO(pass.row->name);
+                    CHECK(inPlace.count({pass.row->name, c.program.textures[binding.texture].row->name}) == 1);
                 }
             }
         }
