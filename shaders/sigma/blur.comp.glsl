@@ -55,7 +55,8 @@ void main()
     if (isPenumbra)
     {
         Receiver receiver = makeReceiver(pixel, viewZ);
-        if (!isUnlit(result.radius)) result = filterPenumbra(receiver, result, g.rotatorBlur);
+        if (!isUnlit(result.radius))
+            result = filterPenumbra(receiver, result, measureNeighbourhood(receiver, result), g.rotatorBlur);
 #if HAS_HISTORY
         storePast(pixel, reproject(receiver, viewZ));
 #endif

@@ -1,22 +1,50 @@
 // One blur of both: a dense part of 5x5 pixels from shared memory, which finds the width of the penumbra, and a sparse
 // part as wide as the penumbra. Needs gIn_Tiles, gIn_ViewZ, gIn_NormalRoughness and
-// ShadowSample readFiltered(ivec2 pixel, float viewZ), what is filtered.
+// ShadowSample readFiltered(ivec2 pixel, float viewZ), what is filtered, and with HAS_PAST float readPastVisibility(
+// ivec2 pixel), of the last frames, kNone where there is none.
 #ifndef PENUMBRA_FILTER_GLSL
 #define PENUMBRA_FILTER_GLSL
 
 const int kRadius = 2;
 const ivec2 kHalo = ivec2(8 + 2 * kRadius, 16 + 2 * kRadius);
-const float kWidestKernel = 32.0; // pixels
 // Radius of the sparse part over the penumbra's half-width. Wider blurs the penumbra's ends, narrower leaves noise to
 // the frames that follow; both blurs together reach half of the penumbra.
 const float kKernelScale = 0.35;
 const float kMinCosine = 0.25; // of the light with the surface: stretches a kernel four times at most
-const float kOutOfRange = -1.0;
+const float kWidestKernel = 32.0; // pixels
+const float kNone = -1.0;
 
+struct Texel
+{
+    float viewZ;
+    ShadowSample value; // radius kNone: not to be used
+    float past;         // visibility, kNone: not there
+};
+
+// One read of 16 bytes per texel: shared memory's bandwidth is what this filter spends.
 shared uint sKinds;
-shared float sViewZ[kHalo.y][kHalo.x];
-shared float sRadius[kHalo.y][kHalo.x]; // kOutOfRange: not to be used
-shared Shadow sShadow[kHalo.y][kHalo.x];
+shared uvec4 sTexels[kHalo.y][kHalo.x];
+
+uvec4 packTexel(Texel t)
+{
+    uint depth = floatBitsToUint(t.viewZ), radiusPast = packHalf2x16(vec2(t.value.radius, t.past));
+#if HAS_TRANSLUCENCY
+    return uvec4(packHalf2x16(t.value.shadow.xy), packHalf2x16(t.value.shadow.zw), radiusPast, depth);
+#else
+    return uvec4(floatBitsToUint(t.value.shadow), 0u, radiusPast, depth);
+#endif
+}
+
+Texel unpackTexel(uvec4 words)
+{
+    vec2 radiusPast = unpackHalf2x16(words.z);
+#if HAS_TRANSLUCENCY
+    Shadow shadow = vec4(unpackHalf2x16(words.x), unpackHalf2x16(words.y));
+#else
+    Shadow shadow = uintBitsToFloat(words.x);
+#endif
+    return Texel(uintBitsToFloat(words.w), ShadowSample(shadow, radiusPast.x), radiusPast.y);
+}
 
 // Of the group's tile and those around it. Every invocation of the group must come here.
 uint gatherKinds(ivec2 group)
@@ -39,12 +67,15 @@ void loadNeighbourhood(ivec2 group)
         ivec2 pixel = group + local - kRadius;
         ivec2 inside = clampToRect(pixel);
         float viewZ = decodeViewZ(texelFetch(gIn_ViewZ, guideTexel(inside), 0).x);
-        bool isUsed = pixel == inside && isInRange(viewZ);
-        ShadowSample s = ShadowSample(Shadow(0.0), kOutOfRange);
-        if (isUsed) s = readFiltered(pixel, viewZ); // what is out of range was not written
-        sViewZ[local.y][local.x] = viewZ;
-        sRadius[local.y][local.x] = s.radius;
-        sShadow[local.y][local.x] = s.shadow;
+        Texel t = Texel(viewZ, ShadowSample(Shadow(0.0), kNone), kNone);
+        if (pixel == inside && isInRange(viewZ)) // what is out of range was not written
+        {
+            t.value = readFiltered(pixel, viewZ);
+#if HAS_PAST
+            t.past = readPastVisibility(pixel);
+#endif
+        }
+        sTexels[local.y][local.x] = packTexel(t);
     }
 }
 
@@ -96,23 +127,42 @@ void addSample(inout Sums sums, ShadowSample s, float weight)
     sums.radiusWeight += weight * widthWeight(s.radius);
 }
 
-// own: not facing away.
-Sums sumDense(Receiver r, ShadowSample own)
+// What 5x5 pixels of the same surface hold.
+struct Neighbourhood
+{
+    Shadow mean;
+    Shadow sigma;
+    float radius; // 0: no hit
+    float change; // of the visibility since the last frames, where they are known; of other surfaces as well
+};
+
+// own: not facing away. Differences to it: a variance from sums of squares has no digits left on flat walls.
+Neighbourhood measureNeighbourhood(Receiver r, ShadowSample own)
 {
     Sums sums = Sums(Shadow(0.0), 0.0, 0.0, 0.0);
-    ivec2 local = ivec2(gl_LocalInvocationID.xy);
+    Shadow squares = Shadow(0.0);
+    vec2 change = vec2(0.0); // .y weight
     for (int i = 0; i < 25; i++)
     {
         ivec2 offset = ivec2(i % 5, i / 5);
-        float radius = sRadius[local.y + offset.y][local.x + offset.x];
-        if (radius == kOutOfRange || isUnlit(radius)) continue;
-        float viewZ = sViewZ[local.y + offset.y][local.x + offset.x];
+        ivec2 local = ivec2(gl_LocalInvocationID.xy) + offset;
+        Texel t = unpackTexel(sTexels[local.y][local.x]);
+        if (t.value.radius == kNone || isUnlit(t.value.radius)) continue;
         vec2 distance = vec2(offset - kRadius);
-        float weight = i == 12 ? 1.0 : exp2(-0.238 * dot(distance, distance)); // exp(-0.66 (d / 2)^2)
-        if (i != 12) weight *= planeWeight(r, r.pixel + offset - kRadius, viewZ);
-        addSample(sums, ShadowSample(sShadow[local.y + offset.y][local.x + offset.x], radius), weight);
+        float onPlane = i == 12 ? 1.0 : planeWeight(r, r.pixel + offset - kRadius, t.viewZ);
+        float weight = onPlane * exp2(-0.238 * dot(distance, distance)); // exp(-0.66 (d / 2)^2)
+        Shadow difference = t.value.shadow - own.shadow;
+        addSample(sums, ShadowSample(difference, t.value.radius), weight);
+        squares += difference * difference * weight;
+        if (t.past != kNone) change += vec2(visibility(t.value.shadow) - t.past, 1.0);
     }
-    return sums;
+    Neighbourhood n;
+    Shadow mean = sums.shadow / sums.weight; // the centre counts at least
+    n.mean = own.shadow + mean;
+    n.sigma = sqrt(max(squares / sums.weight - mean * mean, Shadow(0.0)));
+    n.radius = sums.radiusWeight > 0.0 ? sums.radius / sums.radiusWeight : 0.0;
+    n.change = change.y > 0.0 ? abs(change.x) / change.y : 0.0;
+    return n;
 }
 
 // Pixels per penumbra half-width of one pixel, along two axes on the receiving surface: a disc of light throws an
@@ -163,16 +213,14 @@ void addSparse(inout Sums sums, Receiver r, float radius, vec4 rotator)
 // Narrow penumbrae keep their sharp sample, and are hardly moved by the sparse part: 0 for none, 1 from six pixels on.
 float softness(float radius) { return smooth01(radius * kKernelScale * 0.5); }
 
-ShadowSample filterPenumbra(Receiver r, ShadowSample own, vec4 rotator)
+ShadowSample filterPenumbra(Receiver r, ShadowSample own, Neighbourhood n, vec4 rotator)
 {
-    Sums dense = sumDense(r, own);
-    float radius = dense.radiusWeight > 0.0 ? dense.radius / dense.radiusWeight : 0.0;
-    float f = softness(radius);
-    Shadow shadow = mix(own.shadow, dense.shadow / dense.weight, f);
-    if (radius == 0.0) return ShadowSample(shadow, own.radius);
+    float f = softness(n.radius);
+    Shadow shadow = mix(own.shadow, n.mean, f);
+    if (n.radius == 0.0) return ShadowSample(shadow, own.radius);
     float boost = mix(4.0, 1.0, f);
-    Sums sums = Sums(shadow * boost, boost, radius * boost * widthWeight(radius), boost * widthWeight(radius));
-    addSparse(sums, r, radius, rotator);
+    Sums sums = Sums(shadow * boost, boost, n.radius * boost * widthWeight(n.radius), boost * widthWeight(n.radius));
+    addSparse(sums, r, n.radius, rotator);
     return ShadowSample(sums.shadow / sums.weight, sums.radius / sums.radiusWeight);
 }
 

@@ -25,8 +25,17 @@ ShadowSample readFiltered(ivec2 pixel, float viewZ)
     float radius = decodeRadius(texelFetch(gIn_Radius, pixel, 0).x);
     return ShadowSample(decodeShadow(texelFetch(gIn_Shadow, pixel, 0)), radius);
 }
-#include "penumbra_filter.glsl"
 
+#if HAS_HISTORY
+#include "shadow_history.glsl"
+float readPastVisibility(ivec2 pixel)
+{
+    Past past = unpackPast(texelFetch(gIn_Past, pixel, 0).x, 0u);
+    return past.n > 0.0 ? visibility(past.shadow) : -1.0;
+}
+#define HAS_PAST 1
+#endif
+#include "penumbra_filter.glsl"
 #if HAS_HISTORY
 #include "stabilize_shadow.glsl"
 #endif
@@ -39,10 +48,6 @@ void main()
     bool isPenumbra = kinds == kTilePenumbra; // the same for the whole group
     if (isPenumbra) loadNeighbourhood(group);
     barrier();
-#if HAS_HISTORY
-    if (isPenumbra) loadPasts(group);
-    barrier();
-#endif
     if (!isInRect(pixel)) return;
     float viewZ = decodeViewZ(texelFetch(gIn_ViewZ, guideTexel(pixel), 0).x);
     if (!isInRange(viewZ))
@@ -53,11 +58,19 @@ void main()
         return;
     }
     ShadowSample result = readFiltered(pixel, viewZ);
-    bool isFiltered = isPenumbra && !isUnlit(result.radius);
-    if (isFiltered) result = filterPenumbra(makeReceiver(pixel, viewZ), result, g.rotatorPostBlur);
 #if HAS_HISTORY
-    Past past = Past(result.shadow, kLongestHistory); // what was not filtered needs no history, and makes a good one
-    if (isFiltered) past = stabilize(pixel, result.shadow, result.radius);
+    Past past = Past(result.shadow, kLongestHistory); // what is not filtered needs no history, and makes a good one
+#endif
+    if (isPenumbra && !isUnlit(result.radius))
+    {
+        Receiver receiver = makeReceiver(pixel, viewZ);
+        Neighbourhood neighbourhood = measureNeighbourhood(receiver, result);
+        result = filterPenumbra(receiver, result, neighbourhood, g.rotatorPostBlur);
+#if HAS_HISTORY
+        past = stabilize(pixel, result, neighbourhood);
+#endif
+    }
+#if HAS_HISTORY
     result.shadow = past.shadow;
     imageStore(gOut_History, pixel, uvec4((packDepth(viewZ) << 16) | packVisibility(past), packColor(past), 0u, 0u));
 #endif

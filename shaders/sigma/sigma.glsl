@@ -17,7 +17,7 @@ float visibility(Shadow s) { return s; }
 
 // Half-width of the penumbra a pixel's ray measured, in pixels at its own depth; two values are flags.
 const float kUnlitRadius = 0.0;   // the surface faces away from the light
-const float kLitRadius = 1e6;     // the ray crossed nothing, which says nothing of a width
+const float kLitRadius = 32768.0; // the ray crossed nothing, which says nothing of a width
 const float kMinRadius = 1.0 / 16.0, kMaxRadius = 64.0;
 
 struct ShadowSample
