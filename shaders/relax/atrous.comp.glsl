@@ -1,6 +1,7 @@
 // One step of the edge-avoiding wavelet (Dammertz et al. 2010), steered by variance (Schied et al. 2017). The first
 // step estimates the variance of short histories from their neighbourhood; the last one writes the outputs.
 #version 460
+#extension GL_EXT_control_flow_attributes : require
 #extension GL_GOOGLE_include_directive : require
 #include "spatial_filter.glsl"
 
@@ -36,6 +37,51 @@ layout(set = SET_RESOURCES, binding = FIRST_OUT + 2 * LOBE_NUM - 1) uniform writ
 
 const float kKernel[2] = float[](0.44198, 0.27901); // at distance 0 and 1
 
+// The first step looks at its neighbours' guides twice, for the variance and to filter, so a group decodes them once.
+// Signals, and guides at larger strides, come faster through the texture cache.
+const bool kAreGuidesShared = kStep == 0;
+const ivec2 kGroup = ivec2(8, 16);
+const int kHalo = 2;
+const ivec2 kArea = kGroup + 2 * kHalo;
+const int kAreaSize = kAreGuidesShared ? kArea.x * kArea.y : 1;
+
+shared vec4 sNormalViewZ[kAreaSize];
+shared vec2 sRoughnessMaterial[kAreaSize];
+
+struct Texel
+{
+    float viewZ;
+    Guide guide;
+};
+
+ivec2 areaCorner() { return ivec2(gl_WorkGroupID.xy) * kGroup - kHalo; }
+
+Texel fetchTexel(ivec2 pixel)
+{
+    return Texel(decodeViewZ(texelFetch(gIn_ViewZ, guideTexel(pixel), 0).x),
+                 decodeGuide(texelFetch(gIn_NormalRoughness, guideTexel(pixel), 0)));
+}
+
+void shareGuides()
+{
+    for (int i = int(gl_LocalInvocationIndex); i < kAreaSize; i += kGroup.x * kGroup.y)
+    {
+        Texel texel = fetchTexel(clampToRect(areaCorner() + ivec2(i % kArea.x, i / kArea.x)));
+        sNormalViewZ[i] = vec4(texel.guide.N, texel.viewZ);
+        sRoughnessMaterial[i] = vec2(texel.guide.roughness, texel.guide.materialID);
+    }
+    barrier();
+}
+
+// Of a pixel in the rectangle.
+Texel texelAt(ivec2 pixel)
+{
+    if (!kAreGuidesShared) return fetchTexel(pixel);
+    ivec2 local = pixel - areaCorner();
+    int i = local.y * kArea.x + local.x;
+    return Texel(sNormalViewZ[i].w, Guide(sNormalViewZ[i].xyz, sRoughnessMaterial[i].x, uint(sRoughnessMaterial[i].y)));
+}
+
 struct Stops
 {
     float normal;    // 1 / radians
@@ -49,13 +95,9 @@ struct Stops
 // Variance of what is stored, not of a sample: a mean of n samples has an n-th of it.
 float varianceOf(Signal s) { return s.value.w * square(luma(s)); }
 
-float viewZAt(ivec2 pixel) { return decodeViewZ(texelFetch(gIn_ViewZ, guideTexel(pixel), 0).x); }
-Guide guideAt(ivec2 pixel) { return decodeGuide(texelFetch(gIn_NormalRoughness, guideTexel(pixel), 0)); }
-
 // What both lobes ask of a neighbour.
 struct Neighbour
 {
-    ivec2 pixel;
     Guide guide;
     bool isInRange;
     float distance; // from the centre's plane, world units
@@ -65,12 +107,11 @@ struct Neighbour
 
 Neighbour readNeighbour(Pixel p, ivec2 pixel)
 {
-    float viewZ = viewZAt(pixel);
-    vec3 Xv = reconstructViewPosition(pixelUv(pixel), g.frustum, viewZ, g.cameraDelta.w);
+    Texel texel = texelAt(pixel);
+    vec3 Xv = reconstructViewPosition(pixelUv(pixel), g.frustum, texel.viewZ, g.cameraDelta.w);
     Neighbour other;
-    other.pixel = pixel;
-    other.guide = guideAt(pixel);
-    other.isInRange = isInRange(viewZ);
+    other.guide = texel.guide;
+    other.isInRange = isInRange(texel.viewZ);
     other.distance = abs(dot(p.Nv, Xv - p.Xv));
     other.cosine = dot(p.guide.N, other.guide.N);
     // Seen from farther back, it changes less.
@@ -101,7 +142,7 @@ float smoothedVariance(texture2D t, ivec2 position)
     {
         ivec2 offset = ivec2(i % 3, i / 3) - 1;
         ivec2 pixel = clampToRect(position + offset);
-        if (!isInRange(viewZAt(pixel))) continue;
+        if (!isInRange(texelAt(pixel).viewZ)) continue;
         vec4 stored = texelFetch(t, pixel, 0);
         float weight = 1.0 / float(1 << (abs(offset.x) + abs(offset.y)));
         sum += stored.w * stored.x * stored.x * weight;
@@ -196,15 +237,14 @@ Filter startFilter(texture2D t, texture2D second, Pixel p, Lobe lobe, bool isSpe
     return Filter(lobe, stops, luma(centre), variance, scaled(centre, own), variance * own * own, own);
 }
 
-void addTap(inout Filter f, texture2D t, texture2D second, Pixel p, bool isSpecular, Neighbour other, float kernel)
+// Selects instead of branches; a value of no weight may be anything.
+void addTap(inout Filter f, Signal value, Pixel p, bool isSpecular, Neighbour other, float kernel)
 {
     float weight = kernel * tapWeight(p, f.lobe, isSpecular, other, f.stops);
-    if (!(weight > 1e-4)) return;
-    Signal value = readSignal(t, second, other.pixel);
-    weight *= lumaStop(f.luma, luma(value), f.stops);
+    weight = weight > 1e-4 ? weight * lumaStop(f.luma, luma(value), f.stops) : 0.0;
     float tapVariance = kStep == 0 ? f.variance : varianceOf(value);
     f.sum = addWeighted(f.sum, value, weight);
-    f.varianceSum += tapVariance * weight * weight;
+    f.varianceSum += weight > 0.0 ? tapVariance * weight * weight : 0.0;
     f.weightSum += weight;
 }
 
@@ -227,10 +267,13 @@ void store(writeonly image2D t, writeonly image2D second, ivec2 position, Signal
 void main()
 {
     ivec2 position = ivec2(gl_GlobalInvocationID.xy);
-    if (!isInRect(position) || texelFetch(gIn_Tiles, position / TILE_SIZE, 0).x > 0.5) return;
-    float viewZ = viewZAt(position);
-    if (!isInRange(viewZ)) return;
-    Pixel p = makePixel(position, viewZ, guideAt(position));
+    ivec2 tile = ivec2(gl_WorkGroupID.xy) * kGroup / TILE_SIZE;
+    if (texelFetch(gIn_Tiles, tile, 0).x > 0.5) return; // the same for the whole group
+    if (kAreGuidesShared) shareGuides();
+    if (!isInRect(position)) return;
+    Texel texel = texelAt(position);
+    if (!isInRange(texel.viewZ)) return;
+    Pixel p = makePixel(position, texel.viewZ, texel.guide);
     vec2 n = unpackLengths(texelFetch(gIn_Length, position, 0).xy);
 #if HAS_DIFFUSE
     Lobe diffuseLobe = Lobe(1.0, g.minMaterialForDiffuse, 0.0);
@@ -245,18 +288,20 @@ void main()
     Filter specular = startFilter(gIn_Specular, gIn_SpecularSh, p, specularLobe, true, position, nSpecular, stops);
 #endif
     ivec2 shift = jitter(position);
-    for (int i = 0; i < 9; i++)
+    // Unrolled and without a branch, so that the reads of all taps are under way at once.
+    [[unroll]] for (int i = 0; i < 9; i++)
     {
+        if (i == 4) continue;
         ivec2 offset = ivec2(i % 3, i / 3) - 1;
         ivec2 pixel = position + offset * (1 << kStep) + shift;
-        if (i == 4 || clampToRect(pixel) != pixel) continue;
-        Neighbour other = readNeighbour(p, pixel);
-        float kernel = kKernel[abs(offset.x)] * kKernel[abs(offset.y)];
+        ivec2 inside = clampToRect(pixel);
+        float kernel = inside == pixel ? kKernel[abs(offset.x)] * kKernel[abs(offset.y)] : 0.0;
+        Neighbour other = readNeighbour(p, inside);
 #if HAS_DIFFUSE
-        addTap(diffuse, gIn_Diffuse, gIn_DiffuseSh, p, false, other, kernel);
+        addTap(diffuse, readSignal(gIn_Diffuse, gIn_DiffuseSh, inside), p, false, other, kernel);
 #endif
 #if HAS_SPECULAR
-        addTap(specular, gIn_Specular, gIn_SpecularSh, p, true, other, kernel);
+        addTap(specular, readSignal(gIn_Specular, gIn_SpecularSh, inside), p, true, other, kernel);
 #endif
     }
 #if HAS_DIFFUSE
