@@ -1,6 +1,7 @@
 // What is denoised, in the one form in which the passes compute with it, and the forms in which it is stored.
 #ifndef SIGNAL_GLSL
 #define SIGNAL_GLSL
+#include "axis.glsl"
 #include "random.glsl"
 
 struct Signal
@@ -80,10 +81,9 @@ Signal readInput(texture2D t, texture2D second, ivec2 texel, out bool isValid)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// Inside. Axes are kept relative to luma, ten bits a component; 512 is zero.
+// Inside. Axes are kept relative to luma.
 
 vec4 decodeValue(vec4 stored) { return kIsOcclusion ? vec4(stored.x, 0.0, 0.0, stored.x) : stored; }
-vec3 decodeAxis(vec3 stored) { return (stored * 1023.0 - 512.0) * (1.0 / 511.0); }
 
 Signal readSignal(texture2D t, texture2D second, ivec2 texel)
 {
@@ -93,14 +93,11 @@ Signal readSignal(texture2D t, texture2D second, ivec2 texel)
 
 vec4 encodeValue(Signal s) { return kIsBounded ? s.value : roundToHalf(s.value); }
 
-// Rounded at random: in a running mean, rounding to the nearest would swallow small steps for good.
 vec4 encodeAxis(Signal s, ivec2 pixel)
 {
-    vec3 relative = s.axis / max(s.value.x, NRD_LUMA_EPS);
-    relative *= min(1.0, inversesqrt(max(dot(relative, relative), 1e-20)));
     uint seed = seedPixel(pixel, g.frameIndex);
     vec3 dither = vec3(nextRandom(seed), nextRandom(seed), nextRandom(seed));
-    return vec4(clamp(floor(relative * 511.0 + 512.0 + dither), 0.0, 1023.0) * (1.0 / 1023.0), 0.0);
+    return vec4(encodeAxis(s.axis / max(s.value.x, NRD_LUMA_EPS), dither), 0.0);
 }
 
 void storeSignal(writeonly image2D t, writeonly image2D second, ivec2 pixel, Signal s)

@@ -1,6 +1,7 @@
 // One step of the edge-avoiding wavelet (Dammertz et al. 2010), steered by variance (Schied et al. 2017). The first
 // step estimates the variance of short histories from their neighbourhood; the last one writes the outputs.
 #version 460
+#extension GL_EXT_control_flow_attributes : require
 #extension GL_GOOGLE_include_directive : require
 #include "spatial_filter.glsl"
 
@@ -36,6 +37,51 @@ layout(set = SET_RESOURCES, binding = FIRST_OUT + 2 * LOBE_NUM - 1) uniform writ
 
 const float kKernel[2] = float[](0.44198, 0.27901); // at distance 0 and 1
 
+// The first step looks at its neighbours' guides twice, for the variance and to filter, so a group decodes them once.
+// Signals, and guides at larger strides, come faster through the texture cache.
+const bool kAreGuidesShared = kStep == 0;
+const ivec2 kGroup = ivec2(8, 16);
+const int kHalo = 2;
+const ivec2 kArea = kGroup + 2 * kHalo;
+const int kAreaSize = kAreGuidesShared ? kArea.x * kArea.y : 1;
+
+shared vec4 sNormalViewZ[kAreaSize];
+shared vec2 sRoughnessMaterial[kAreaSize];
+
+struct Texel
+{
+    float viewZ;
+    Guide guide;
+};
+
+ivec2 areaCorner() { return ivec2(gl_WorkGroupID.xy) * kGroup - kHalo; }
+
+Texel fetchTexel(ivec2 pixel)
+{
+    return Texel(decodeViewZ(texelFetch(gIn_ViewZ, guideTexel(pixel), 0).x),
+                 decodeGuide(texelFetch(gIn_NormalRoughness, guideTexel(pixel), 0)));
+}
+
+void shareGuides()
+{
+    for (int i = int(gl_LocalInvocationIndex); i < kAreaSize; i += kGroup.x * kGroup.y)
+    {
+        Texel texel = fetchTexel(clampToRect(areaCorner() + ivec2(i % kArea.x, i / kArea.x)));
+        sNormalViewZ[i] = vec4(texel.guide.N, texel.viewZ);
+        sRoughnessMaterial[i] = vec2(texel.guide.roughness, texel.guide.materialID);
+    }
+    barrier();
+}
+
+// Of a pixel in the rectangle.
+Texel texelAt(ivec2 pixel)
+{
+    if (!kAreGuidesShared) return fetchTexel(pixel);
+    ivec2 local = pixel - areaCorner();
+    int i = local.y * kArea.x + local.x;
+    return Texel(sNormalViewZ[i].w, Guide(sNormalViewZ[i].xyz, sRoughnessMaterial[i].x, uint(sRoughnessMaterial[i].y)));
+}
+
 struct Stops
 {
     float normal;    // 1 / radians
@@ -49,24 +95,37 @@ struct Stops
 // Variance of what is stored, not of a sample: a mean of n samples has an n-th of it.
 float varianceOf(Signal s) { return s.value.w * square(luma(s)); }
 
-vec3 tapPosition(ivec2 pixel, float viewZ)
+// What both lobes ask of a neighbour.
+struct Neighbour
 {
-    return reconstructViewPosition(pixelUv(pixel), g.frustum, viewZ, g.cameraDelta.w);
+    Guide guide;
+    bool isInRange;
+    float distance; // from the centre's plane, world units
+    float cosine;   // between the normals
+    float seen;     // between the directions of view
+};
+
+Neighbour readNeighbour(Pixel p, ivec2 pixel)
+{
+    Texel texel = texelAt(pixel);
+    vec3 Xv = reconstructViewPosition(pixelUv(pixel), g.frustum, texel.viewZ, g.cameraDelta.w);
+    Neighbour other;
+    other.guide = texel.guide;
+    other.isInRange = isInRange(texel.viewZ);
+    other.distance = abs(dot(p.Nv, Xv - p.Xv));
+    other.cosine = dot(p.guide.N, other.guide.N);
+    // Seen from farther back, it changes less.
+    other.seen = g.cameraDelta.w == 0.0 ? dot(p.Vv, -normalize(Xv + g.relaxViewRelaxation * p.Xv)) : 1.0;
+    return other;
 }
 
-float tapWeight(Pixel p, Lobe lobe, bool isSpecular, ivec2 pixel, Stops stops)
+float tapWeight(Pixel p, Lobe lobe, bool isSpecular, Neighbour other, Stops stops)
 {
-    float viewZ = decodeViewZ(texelFetch(gIn_ViewZ, guideTexel(pixel), 0).x);
-    Guide guide = decodeGuide(texelFetch(gIn_NormalRoughness, guideTexel(pixel), 0));
-    if (!isInRange(viewZ) || !isSameMaterial(p.guide.materialID, guide.materialID, lobe.minMaterial)) return 0.0;
-    vec3 Xv = tapPosition(pixel, viewZ);
-    float weight = soft(abs(dot(p.Nv, Xv - p.Xv)) * stops.plane);
-    float cosine = dot(p.guide.N, guide.N);
-    // What is reflected changes with the view as well; seen from farther back, it changes less.
-    if (isSpecular && g.cameraDelta.w == 0.0)
-        cosine = min(cosine, dot(p.Vv, -normalize(Xv + g.relaxViewRelaxation * p.Xv)));
-    weight *= soft(acosApprox(cosine) * stops.normal);
-    if (isSpecular) weight *= soft(abs(guide.roughness - p.guide.roughness) * stops.roughness);
+    if (!other.isInRange || !isSameMaterial(p.guide.materialID, other.guide.materialID, lobe.minMaterial)) return 0.0;
+    float weight = soft(other.distance * stops.plane);
+    // What is reflected changes with the view as well.
+    weight *= soft(acosApprox(isSpecular ? min(other.cosine, other.seen) : other.cosine) * stops.normal);
+    if (isSpecular) weight *= soft(abs(other.guide.roughness - p.guide.roughness) * stops.roughness);
     return weight;
 }
 
@@ -83,7 +142,7 @@ float smoothedVariance(texture2D t, ivec2 position)
     {
         ivec2 offset = ivec2(i % 3, i / 3) - 1;
         ivec2 pixel = clampToRect(position + offset);
-        if (!isInRange(decodeViewZ(texelFetch(gIn_ViewZ, guideTexel(pixel), 0).x))) continue;
+        if (!isInRange(texelAt(pixel).viewZ)) continue;
         vec4 stored = texelFetch(t, pixel, 0);
         float weight = 1.0 / float(1 << (abs(offset.x) + abs(offset.y)));
         sum += stored.w * stored.x * stored.x * weight;
@@ -99,7 +158,7 @@ float spatialVariance(texture2D t, Pixel p, Lobe lobe, bool isSpecular, ivec2 po
     for (int i = 0; i < 25; i++)
     {
         ivec2 pixel = clampToRect(position + ivec2(i % 5, i / 5) - 2);
-        float weight = tapWeight(p, lobe, isSpecular, pixel, stops);
+        float weight = tapWeight(p, lobe, isSpecular, readNeighbour(p, pixel), stops);
         float Y = weight > 0.0 ? texelFetch(t, pixel, 0).x : 0.0;
         mean += Y * weight;
         square_ += Y * Y * weight;
@@ -149,8 +208,20 @@ float doubtOf(texture2D confidences, vec2 uv)
     return saturate(g.relaxDoubt.x * (1.0 - given));
 }
 
-Signal filterLobe(texture2D t, texture2D second, Pixel p, Lobe lobe, bool isSpecular, ivec2 position, float n,
-                  Stops stops)
+// One lobe of one pixel.
+struct Filter
+{
+    Lobe lobe;
+    Stops stops;
+    float luma;
+    float variance;
+    Signal sum;
+    float varianceSum;
+    float weightSum;
+};
+
+Filter startFilter(texture2D t, texture2D second, Pixel p, Lobe lobe, bool isSpecular, ivec2 position, float n,
+                   Stops stops)
 {
     Signal centre = readSignal(t, second, position);
     float variance = varianceOf(centre);
@@ -162,26 +233,25 @@ Signal filterLobe(texture2D t, texture2D second, Pixel p, Lobe lobe, bool isSpec
     }
     float phi = isSpecular ? g.relaxPhi.y : g.relaxPhi.x;
     stops.luma = 1.0 / max(phi * sqrt(variance), 1e-4 * luma(centre) + 1e-7);
-    ivec2 shift = jitter(position);
     float own = kKernel[0] * kKernel[0];
-    Signal sum = scaled(centre, own);
-    float varianceSum = variance * own * own, weightSum = own;
-    for (int i = 0; i < 9; i++)
-    {
-        ivec2 offset = ivec2(i % 3, i / 3) - 1;
-        ivec2 pixel = position + offset * (1 << kStep) + shift;
-        if (i == 4 || clampToRect(pixel) != pixel) continue;
-        float weight = kKernel[abs(offset.x)] * kKernel[abs(offset.y)] * tapWeight(p, lobe, isSpecular, pixel, stops);
-        if (!(weight > 1e-4)) continue;
-        Signal value = readSignal(t, second, pixel);
-        weight *= lumaStop(luma(centre), luma(value), stops);
-        float tapVariance = kStep == 0 ? variance : varianceOf(value);
-        sum = addWeighted(sum, value, weight);
-        varianceSum += tapVariance * weight * weight;
-        weightSum += weight;
-    }
-    Signal result = scaled(sum, 1.0 / weightSum);
-    variance = varianceSum / (weightSum * weightSum);
+    return Filter(lobe, stops, luma(centre), variance, scaled(centre, own), variance * own * own, own);
+}
+
+// Selects instead of branches; a value of no weight may be anything.
+void addTap(inout Filter f, Signal value, Pixel p, bool isSpecular, Neighbour other, float kernel)
+{
+    float weight = kernel * tapWeight(p, f.lobe, isSpecular, other, f.stops);
+    weight = weight > 1e-4 ? weight * lumaStop(f.luma, luma(value), f.stops) : 0.0;
+    float tapVariance = kStep == 0 ? f.variance : varianceOf(value);
+    f.sum = addWeighted(f.sum, value, weight);
+    f.varianceSum += weight > 0.0 ? tapVariance * weight * weight : 0.0;
+    f.weightSum += weight;
+}
+
+Signal finish(Filter f)
+{
+    Signal result = scaled(f.sum, 1.0 / f.weightSum);
+    float variance = f.varianceSum / (f.weightSum * f.weightSum);
     result.value.w = min(variance / max(square(luma(result)), 1e-12), NRD_FP16_MAX);
     return result;
 }
@@ -197,23 +267,47 @@ void store(writeonly image2D t, writeonly image2D second, ivec2 position, Signal
 void main()
 {
     ivec2 position = ivec2(gl_GlobalInvocationID.xy);
-    if (!isInRect(position) || texelFetch(gIn_Tiles, position / TILE_SIZE, 0).x > 0.5) return;
-    float viewZ = decodeViewZ(texelFetch(gIn_ViewZ, guideTexel(position), 0).x);
-    if (!isInRange(viewZ)) return;
-    Pixel p = makePixel(position, viewZ, decodeGuide(texelFetch(gIn_NormalRoughness, guideTexel(position), 0)));
+    ivec2 tile = ivec2(gl_WorkGroupID.xy) * kGroup / TILE_SIZE;
+    if (texelFetch(gIn_Tiles, tile, 0).x > 0.5) return; // the same for the whole group
+    if (kAreGuidesShared) shareGuides();
+    if (!isInRect(position)) return;
+    Texel texel = texelAt(position);
+    if (!isInRange(texel.viewZ)) return;
+    Pixel p = makePixel(position, texel.viewZ, texel.guide);
     vec2 n = unpackLengths(texelFetch(gIn_Length, position, 0).xy);
 #if HAS_DIFFUSE
-    Lobe diffuse = Lobe(1.0, g.minMaterialForDiffuse, 0.0);
-    Stops diffuseStops = makeStops(p, diffuse, false, n.x, 1.0, doubtOf(gIn_DiffuseConfidence, p.uv));
-    store(gOut_Diffuse, gOut_DiffuseSh, position,
-          filterLobe(gIn_Diffuse, gIn_DiffuseSh, p, diffuse, false, position, n.x, diffuseStops), n.x);
+    Lobe diffuseLobe = Lobe(1.0, g.minMaterialForDiffuse, 0.0);
+    Stops diffuseStops = makeStops(p, diffuseLobe, false, n.x, 1.0, doubtOf(gIn_DiffuseConfidence, p.uv));
+    Filter diffuse = startFilter(gIn_Diffuse, gIn_DiffuseSh, p, diffuseLobe, false, position, n.x, diffuseStops);
 #endif
 #if HAS_SPECULAR
-    Lobe specular = Lobe(p.guide.roughness, g.minMaterialForSpecular, 0.0);
+    Lobe specularLobe = Lobe(p.guide.roughness, g.minMaterialForSpecular, 0.0);
     float nSpecular = n[kSpecularChannel];
     float confidence = texelFetch(gIn_Confidence, position, 0).x;
-    Stops stops = makeStops(p, specular, true, nSpecular, confidence, doubtOf(gIn_SpecularConfidence, p.uv));
-    store(gOut_Specular, gOut_SpecularSh, position,
-          filterLobe(gIn_Specular, gIn_SpecularSh, p, specular, true, position, nSpecular, stops), nSpecular);
+    Stops stops = makeStops(p, specularLobe, true, nSpecular, confidence, doubtOf(gIn_SpecularConfidence, p.uv));
+    Filter specular = startFilter(gIn_Specular, gIn_SpecularSh, p, specularLobe, true, position, nSpecular, stops);
+#endif
+    ivec2 shift = jitter(position);
+    // Unrolled and without a branch, so that the reads of all taps are under way at once.
+    [[unroll]] for (int i = 0; i < 9; i++)
+    {
+        if (i == 4) continue;
+        ivec2 offset = ivec2(i % 3, i / 3) - 1;
+        ivec2 pixel = position + offset * (1 << kStep) + shift;
+        ivec2 inside = clampToRect(pixel);
+        float kernel = inside == pixel ? kKernel[abs(offset.x)] * kKernel[abs(offset.y)] : 0.0;
+        Neighbour other = readNeighbour(p, inside);
+#if HAS_DIFFUSE
+        addTap(diffuse, readSignal(gIn_Diffuse, gIn_DiffuseSh, inside), p, false, other, kernel);
+#endif
+#if HAS_SPECULAR
+        addTap(specular, readSignal(gIn_Specular, gIn_SpecularSh, inside), p, true, other, kernel);
+#endif
+    }
+#if HAS_DIFFUSE
+    store(gOut_Diffuse, gOut_DiffuseSh, position, finish(diffuse), n.x);
+#endif
+#if HAS_SPECULAR
+    store(gOut_Specular, gOut_SpecularSh, position, finish(specular), nSpecular);
 #endif
 }

@@ -37,6 +37,7 @@
 #define FN_TANGENT_BASIS 31      // a.xyz -> T; second result B
 #define FN_PROJECT 32            // a.xyz position, b..: rows x, y, w of the matrix in b, c, d
 #define FN_CUSTOM_BILINEAR 33    // a values, b weights
+#define FN_AXIS_CODE 35          // a.xyz axis, a.w error of a read, b.x passes, b.y seed -> what is stored, in steps
 
 // Of a lobe record: a = sh0, b.xyz = sh1.
 #define FN_FIRST_OF_RESOLVE 100

@@ -5,6 +5,8 @@
 #include "interface.glsl"
 #include "virtual_motion.glsl"
 #include "history.glsl"
+#include "axis.glsl"
+#include "random.glsl"
 
 vec4 catmullRomCentre(CatmullRom c, out float sum)
 {
@@ -32,6 +34,19 @@ Reflector reflector(Arguments v)
     r.NoD = dot(r.N, dominantDirection(r.N, r.V, r.factor));
     r.distanceToCamera = length(v.a.xyz);
     return r;
+}
+
+// In steps, after so many passes that only read and write; half of the reads are off to either side.
+vec3 storeAxisAgain(vec3 axis, float error, int passes, uint seed)
+{
+    vec3 stored = vec3(0.0);
+    for (int i = 0; i < passes; i++)
+    {
+        vec3 dither = vec3(nextRandom(seed), nextRandom(seed), nextRandom(seed));
+        stored = encodeAxis(axis, dither);
+        axis = decodeAxis(stored + (nextRandom(seed) < 0.5 ? -error : error));
+    }
+    return stored * 1023.0;
 }
 
 Results evaluate(Arguments v)
@@ -66,6 +81,7 @@ Results evaluate(Arguments v)
         r.first.xy = projectToUv(m, v.a.xyz);
         break;
     }
+    case FN_AXIS_CODE: r.first.xyz = storeAxisAgain(v.a.xyz, v.a.w, int(v.b.x), uint(v.b.y)); break;
     case FN_CUSTOM_BILINEAR: r.first.x = customBilinear(v.a, v.b); break;
     }
     return r;

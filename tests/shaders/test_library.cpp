@@ -245,3 +245,34 @@ TEST_CASE("the tangent basis is orthonormal", "[gpu]")
         CHECK(glm::length(B) == Approx(1.0).epsilon(1e-5));
     }
 }
+
+TEST_CASE("an axis that is only read and written stays what it is, whatever trifle the reads are off", "[gpu]")
+{
+    Random random(8);
+    std::vector<Arguments> once, often;
+    for (int i = 0; i < 4096; i++)
+    {
+        const Vec4 axis = toVec4(random.direction() * std::min(random.uniform(0.0, 2.0), 1.0), 1e-5);
+        once.push_back({axis, {1, float(i), 0, 0}});
+        often.push_back({axis, {500, float(i), 0, 0}});
+    }
+    const std::vector<Results> first = runFunction(FN_AXIS_CODE, once), last = runFunction(FN_AXIS_CODE, often);
+    double worst = 0.0;
+    for (size_t i = 0; i < first.size(); i++)
+        worst = std::max(worst, glm::distance(toDouble(first[i].first), toDouble(last[i].first)));
+    CHECK(worst < 1e-3);
+}
+
+TEST_CASE("an axis between two steps is met on average", "[gpu]")
+{
+    for (const double share : {0.02, 0.3, 0.5, 0.9})
+    {
+        std::vector<Arguments> in;
+        const dvec3 axis = dvec3(100.0 + share, -200.0 - share, 50.0 + share) / 511.0;
+        for (int i = 0; i < 16384; i++) in.push_back({toVec4(axis), {1, float(i), 0, 0}});
+        dvec3 sum(0.0);
+        for (const Results& r : runFunction(FN_AXIS_CODE, in)) sum += toDouble(r.first);
+        const dvec3 difference = sum / 16384.0 - (axis * 511.0 + 512.0);
+        CHECK(glm::length(difference) < 0.02); // three deviations of such a mean
+    }
+}
