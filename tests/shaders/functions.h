@@ -57,4 +57,9 @@
 #define FN_REFERENCE_NORMAL 114   // c = V, roughness; d = N, viewZ; e to h neighbours' d
 #define FN_UNPACK_RELAX_SH 115    // -> c0, chroma, history length; c1, sharpness
 
+#define FN_FIRST_OF_SHADOW 200
+#define FN_PENUMBRA 200      // a = hitDist, tangent, distance to light, size; b.xyz colour -> sun, local; packed
+#define FN_UNPACK_SHADOW 201 // a -> a.x unpacked; a unpacked
+#define FN_MULTI_LIGHT 202   // a = radiance, penumbra, b.xyz visibility; c, d and e, f likewise -> penumbra; packed
+
 #endif
