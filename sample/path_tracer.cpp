@@ -26,7 +26,7 @@ constexpr ModeRow kModes[] = {{Shader::TraceFrame, 15}, {Shader::TraceReference,
 TracerDesc descOfMode(TracerDesc desc, uint32_t mode)
 {
     if (mode > 0) desc.checkerboard = nrd::CheckerboardMode::OFF;
-    if (mode > 0) desc.lobes = Lobes::Both;
+    if (mode > 1 || (mode > 0 && desc.lobes == Lobes::Probabilistic)) desc.lobes = Lobes::Both;
     if (mode > 1) desc.hasShadowSignal = false;
     return desc;
 }
@@ -56,7 +56,8 @@ std::vector<uint32_t> specializationOf(const Scene& scene, bool hasEnvironment, 
             desc.lobes == Lobes::Probabilistic,
             static_cast<uint32_t>(desc.checkerboard),
             desc.hasShadowSignal,
-            any(scene.materials, [](const Material& m) { return m.isBlended; })};
+            any(scene.materials, [](const Material& m) { return m.isBlended; }),
+            desc.lobes == Lobes::Merged};
 }
 
 uint32_t environmentLight(const SceneLights& lights)

@@ -12,8 +12,9 @@ namespace sample
 /// How many paths a frame spends on a pixel that has both lobes.
 enum class Lobes : uint8_t
 {
-    Both,         // one path for each
-    Probabilistic // one path: for the lobe that chance picks, its radiance divided by the probability
+    Both,          // one path for each
+    Probabilistic, // one path: for the lobe that chance picks, its radiance divided by the probability
+    Merged         // one path for both, which makes one signal: `diffuse` with the factor of both; `specular` is 0
 };
 
 struct TracerDesc
@@ -27,7 +28,7 @@ struct TracerDesc
     float roughening = 0.5f;
     // A single path's demodulated radiance is scaled down to this in its brightest channel.
     float maxRadiance = 250.0f;
-    // Both are of frames; references always have all samples. What a pixel does not trace is 0 in every component.
+    // Of frames; references always have all samples. What a pixel does not trace is 0 in every component.
     Lobes lobes = Lobes::Both;
     nrd::CheckerboardMode checkerboard = nrd::CheckerboardMode::OFF; // each lobe in its half of the pixels
     glm::vec3 hitDistanceParameters = glm::vec3(3.0f, 0.1f, 20.0f);  // A (world units), B, C
@@ -52,7 +53,7 @@ struct FrameImages
     engine::Image direct;
     engine::Image specularMotion; // of what the specular path hits first; .w: 0 without a sample
     engine::Image shadow;         // translucency, .w: distance. Without the signal this and the next are 1 x 1
-    engine::Image sun;            // what the light gives without its shadow
+    engine::Image sun;            // what the light gives without its shadow, .w: distance to it, 0: infinite
     // Not in captures. Where a sample's radiance comes from: between the directions of the bounce and of the light that
     // was sampled at the surface, by luminance; up to unit length.
     engine::Image diffuseOrigin;

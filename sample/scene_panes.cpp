@@ -7,10 +7,10 @@ namespace sample
 {
 namespace
 {
-constexpr float kHalfWidth = 5.0f; // of the floor, metres
+constexpr float kHalfWidth = 7.5f; // of the floor, metres
 constexpr float kBack = -2.4f;     // of the floor, where the wall stands
 constexpr float kFront = 7.0f;
-constexpr float kHeight = 3.6f;
+constexpr float kHeight = 4.2f;
 constexpr float kDuration = 8.0f;
 constexpr float kPaneWidth = 0.62f;
 constexpr float kPaneHeight = 1.5f;
@@ -60,7 +60,7 @@ std::vector<Material> makeMaterials()
         makeGlass("green glass", glm::vec3(0.15f, 0.85f, 0.25f)),
         makeGlass("blue glass", glm::vec3(0.15f, 0.35f, 0.95f)),
     };
-    materials[Sky].emission = glm::vec3(0.5f, 0.65f, 0.9f);
+    materials[Sky].emission = glm::vec3(0.4f, 0.52f, 0.72f);
     return materials;
 }
 
@@ -99,8 +99,8 @@ Mesh makeRoom()
     Mesh mesh;
     mesh.primitives.push_back(makeQuad(Stone, low, z, x));
     mesh.primitives.push_back(makeQuad(Plaster, low, x, glm::vec3(0, kHeight, 0)));
-    // Behind the camera and facing the wall, or shadows would be black.
-    mesh.primitives.push_back(makeQuad(Sky, glm::vec3(kHalfWidth, 0, kFront), -x, glm::vec3(0, 2.0f * kHeight, 0)));
+    // Behind the camera and facing the wall, or shadows would be black; too low to be in the sun's way.
+    mesh.primitives.push_back(makeQuad(Sky, glm::vec3(kHalfWidth, 0, kFront), -x, glm::vec3(0, 2.8f, 0)));
     addPanes(mesh);
     addBars(mesh);
     mesh.primitives.push_back(makeSphere(glm::vec3(1.35f, 0.42f, 0.9f), 0.42f, Brass));
@@ -133,14 +133,14 @@ Scene makePanes()
     scene.meshes.push_back({{makeSphere(glm::vec3(0.0f), 0.28f, Rubber)}, {}});
     PunctualLight sun;
     sun.type = LightType::Directional;
-    sun.intensity = glm::vec3(6.0f, 5.4f, 4.5f);
+    sun.intensity = glm::vec3(7.5f, 6.8f, 5.7f);
     sun.tanAngularRadius = 0.0262f; // 1.5 degrees, as through haze: penumbrae of several pixels at small sizes
     scene.lights.push_back(sun);
     scene.nodes.push_back(makeNode("room", 0, glm::vec3(0.0f), 0.0f));
     scene.nodes.push_back(makeNode("sun", kNone, glm::vec3(0.0f), 0.0f));
     scene.nodes[Sun].light = 0;
     // Travels along -Z: to the right, down and away from the camera.
-    const glm::vec4 q = turnAndTilt(-0.75f, -0.62f);
+    const glm::vec4 q = turnAndTilt(-0.8f, -0.5f);
     scene.nodes[Sun].rotation = glm::quat(q.w, q.x, q.y, q.z);
     scene.nodes.push_back(makeNode("ball", 1, glm::vec3(0.0f), 0.0f));
     scene.nodes.push_back(makeNode("eye", kNone, glm::vec3(0.0f), 0.0f));

@@ -145,7 +145,7 @@ bool advance(inout Path path, vec3 direction, float pdf, bool isAlive)
 struct Split
 {
     LobeChoice choice;
-    bool isPlain;       // both lobes together, without demodulation, into .diffuse
+    bool isTogether;    // both lobes by one path, into .diffuse
     vec3 diffuseFactor; // what demodulation divides by
     vec3 specularFactor;
 };
@@ -153,7 +153,7 @@ struct Split
 // The lobes of the `item`-th path of a pixel: two that are split take turns.
 uint lobesOf(uint item, Split split)
 {
-    bool hasTurns = !split.isPlain && bitCount(split.choice.lobes) == 2;
+    bool hasTurns = !split.isTogether && bitCount(split.choice.lobes) == 2;
     if (!hasTurns) return split.choice.lobes;
     return (item & 1u) == 0u ? kDiffuseLobe : kSpecularLobe;
 }
@@ -170,10 +170,10 @@ vec3 originOf(Path path)
 
 void finishPath(inout PathSums sums, Path path, Split split, vec2 hitDistanceScales)
 {
-    bool isDiffuse = path.firstLobes == kDiffuseLobe, isSpecular = path.firstLobes == kSpecularLobe;
-    vec3 factor = isDiffuse ? split.diffuseFactor : isSpecular ? split.specularFactor : vec3(1.0);
+    bool isSpecular = path.firstLobes == kSpecularLobe;
+    vec3 factor = isSpecular ? split.specularFactor : split.diffuseFactor;
     vec3 demodulated = bounded(path.radiance / factor) * split.choice.scale;
-    float scale = isDiffuse ? hitDistanceScales.x : hitDistanceScales.y;
+    float scale = isSpecular ? hitDistanceScales.y : hitDistanceScales.x;
     float normalized = path.firstDistance >= kMiss ? 1.0 : clamp(path.firstDistance / scale, 0.0, 1.0);
     if (isSpecular)
     {
@@ -198,7 +198,7 @@ PathSums tracePaths(Surface primary, float viewZ, float width, Split split, uint
     vec2 scales = vec2(g.hitDistanceParameters.x + g.hitDistanceParameters.y * abs(viewZ));
     scales.y *= mix(g.hitDistanceParameters.z, 1.0, lobeSpread(primary.roughness));
     Bsdf bsdf = makeBsdf(primary);
-    uint perSample = split.isPlain ? 1u : uint(bitCount(split.choice.lobes));
+    uint perSample = split.isTogether ? 1u : uint(bitCount(split.choice.lobes));
     uint total = g.sampling.z * perSample;
     uint item = 0u;
     bool isNew = true;

@@ -19,11 +19,12 @@ LightSample sampleShadowLight(Surface s, vec2 u)
     return samplePunctual(s, light, texelFetch(gLights, kLightWords * light).x, u);
 }
 
-// By the middle of the light; 0 where it can't be seen.
-vec3 unshadowedRadiance(Surface s, Bsdf bsdf)
+// By the middle of the light, 0 where it can't be seen; .w: the distance to it, 0: infinite.
+vec4 unshadowedRadiance(Surface s, Bsdf bsdf)
 {
     LightSample light = sampleShadowLight(s, vec2(0.0));
-    return evaluate(s, bsdf, light.direction, kDiffuseLobe | kSpecularLobe).value * light.radiance;
+    vec3 reflected = evaluate(s, bsdf, light.direction, kDiffuseLobe | kSpecularLobe).value;
+    return vec4(reflected * light.radiance, light.distance == kNever ? 0.0 : light.distance);
 }
 
 // `unshadowed`: where it is 0, no ray tells anything.

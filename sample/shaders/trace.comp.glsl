@@ -49,16 +49,16 @@ vec3 primaryDirection(ivec2 pixel)
 // The light's shadow and what it gives without; the sky is lit, by nothing.
 void storeShadow(ivec2 pixel, Surface s, bool isSky, vec3 tint, uint seed)
 {
-    vec3 sun = isSky ? vec3(0.0) : bounded(unshadowedRadiance(s, makeBsdf(s)));
+    vec4 sun = isSky ? vec4(0.0) : unshadowedRadiance(s, makeBsdf(s));
     Shadow shadow = Shadow(vec3(1.0), kMiss);
-    if (!isSky) shadow = traceShadow(s, sun, sampleSquare(seed + kShadowPair, g.sampling.y));
+    if (!isSky) shadow = traceShadow(s, sun.rgb, sampleSquare(seed + kShadowPair, g.sampling.y));
     imageStore(gOut_Shadow, pixel, vec4(shadow.transmittance, shadow.distance));
-    imageStore(gOut_Sun, pixel, vec4(sun * tint, 0.0));
+    imageStore(gOut_Sun, pixel, vec4(bounded(sun.rgb) * tint, sun.w));
 }
 #elif MODE == 1
 void addShadows(ivec2 pixel, Surface s, bool isSky, uint seed)
 {
-    vec3 sun = isSky ? vec3(0.0) : unshadowedRadiance(s, makeBsdf(s));
+    vec3 sun = isSky ? vec3(0.0) : unshadowedRadiance(s, makeBsdf(s)).rgb;
     vec4 sum = isSky ? vec4(g.sampling.z) : vec4(0.0);
     for (uint i = 0u; i < g.sampling.z && !isSky; ++i)
     {
@@ -69,6 +69,17 @@ void addShadows(ivec2 pixel, Surface s, bool isSky, uint seed)
     imageStore(gSum_Shadow, pixel, sum);
 }
 #endif
+
+// Plain paths and merged ones carry both lobes; plain ones aren't demodulated.
+Split splitOf(Surface s)
+{
+    Split split = Split(LobeChoice(kDiffuseLobe | kSpecularLobe, 1.0), MODE == 2 || kIsMerged, vec3(1.0), vec3(1.0));
+    if (MODE == 2) return split;
+    demodulationFactors(s, split.diffuseFactor, split.specularFactor);
+    if (kIsMerged) split.diffuseFactor += split.specularFactor;
+    if (kIsMerged) split.specularFactor = vec3(0.0);
+    return split;
+}
 
 void main()
 {
@@ -83,8 +94,7 @@ void main()
     float width = isSky ? 0.0 : g.frustum.z * hit.t;
     Surface s = fetchSurface(hit, direction, width, 0.0);
     float viewZ = isSky ? g.frustum.w : (g.worldToView * vec4(s.position, 1.0)).z;
-    Split split = Split(LobeChoice(kDiffuseLobe | kSpecularLobe, 1.0), MODE == 2, vec3(1.0), vec3(1.0));
-    demodulationFactors(s, split.diffuseFactor, split.specularFactor);
+    Split split = splitOf(s);
     if (MODE != 2) split.choice = chooseLobes(s, makeBsdf(s), pixel, g.sampling.y);
     vec3 direct = isSky ? (kHasEnvironment ? environmentSmooth(direction) : vec3(0.0)) : s.emission;
     uint seed = hash(uint(pixel.y) * g.size.x + uint(pixel.x) + g.sampling.x * 0x9E3779B9u);
