@@ -1,4 +1,5 @@
-// Radiance of both lobes times its factors, the light traced apart times its shadow, and the direct part; or how far the denoised lobes are open, in grey.
+// Radiance of both lobes times its factors, the light traced apart times its shadow, and the direct part; or how far
+// the denoised lobes are open, in grey.
 #version 460
 #extension GL_EXT_samplerless_texture_functions : require
 

@@ -1,5 +1,5 @@
-// The light whose shadow on the primary surface is a signal of its own: what it gives without the shadow, and one ray to
-// a random point of it.
+// The light whose shadow on the primary surface is a signal of its own: what it gives without the shadow, and one ray
+// to a random point of it.
 #ifndef SHADOW_LIGHT_GLSL
 #define SHADOW_LIGHT_GLSL
 #include "lights.glsl"
