@@ -125,15 +125,13 @@ private:
         }
     }
 
-    // A shadow that is traced apart and not denoised is shown noisy.
+    // What others denoise and this set doesn't is noisy, as in its composed picture.
     Signals readDenoised(size_t set, const Planes& planes)
     {
         Signals signals = m_renderer.readDenoised(set);
-        if (m_options.sets[set].shadow) return signals;
-        SignalSet shadow = {};
-        shadow[static_cast<size_t>(Signal::Shadow)] = shadow[static_cast<size_t>(Signal::Translucency)] = true;
-        const Signals noisy = noisySignals(planes, m_info, shadow);
-        for (Signal s : {Signal::Shadow, Signal::Translucency}) signals[s] = noisy[s];
+        Signals noisy = noisySignals(planes, m_info, producedSignals());
+        for (size_t s = 0; s < kSignalCount; ++s)
+            if (!signals.pictures[s].exists()) signals.pictures[s] = std::move(noisy.pictures[s]);
         return signals;
     }
 
