@@ -127,6 +127,7 @@ Renderer::Renderer(const engine::Device& device, const Stage& stage, const Optio
     const float aspect = float(options.width) / float(options.height);
     if (!findCamera(stage.scene, m_pose, aspect)) m_framing = frameBounds(m_pose.bounds(), aspect);
     m_tracer.setPose(stage.scene, m_pose, environmentOf(stage));
+    if (m_tracer.shadowLight()) m_firstLight = toCapture(*m_tracer.shadowLight());
 }
 
 Camera Renderer::currentCamera() const
@@ -268,7 +269,8 @@ CaptureFrame Renderer::captureFrame() const
     frame.isCut = m_frame.isCut;
     frame.viewToClip = toMatrix(m_frame.view.camera.viewToClip);
     frame.worldToView = toMatrix(m_frame.view.camera.worldToView);
-    if (m_pose.isAnimated() && m_tracer.shadowLight()) frame.light = toCapture(*m_tracer.shadowLight());
+    if (m_frame.shadowLight && toCapture(*m_frame.shadowLight) != m_firstLight)
+        frame.light = toCapture(*m_frame.shadowLight);
     return frame;
 }
 
@@ -282,7 +284,7 @@ CaptureInfo Renderer::captureInfo() const
     const glm::vec3 h = m_tracer.desc().hitDistanceParameters;
     info.hitDistanceParameters = {double(h.x), double(h.y), double(h.z), -25.0};
     info.checkerboard = toCapture(m_options.checkerboard);
-    if (m_tracer.shadowLight()) info.light = toCapture(*m_tracer.shadowLight());
+    info.light = m_firstLight;
     return info;
 }
 

@@ -59,7 +59,8 @@ private:
     const Stage& m_stage;
     const Options& m_options;
     ScenePose m_pose;
-    std::optional<Camera> m_framing; // of a scene without camera
+    std::optional<Camera> m_framing;          // of a scene without camera
+    std::optional<CaptureLight> m_firstLight; // of the shadow signal, before the first frame
     PathTracer m_tracer;
     std::vector<std::unique_ptr<DenoiseStage>> m_stages; // by set
     engine::FrameRing m_ring;

@@ -151,6 +151,7 @@ TEST_CASE("a capture of a shadow that is traced apart adds up to its reference",
     REQUIRE(outcome.exitCode == 0);
     const sample::Capture capture = sample::Capture::open(folder / "capture");
     REQUIRE(capture.light(1));
+    CHECK_FALSE(capture.info().frames[1].light); // it stands still
     CHECK_FALSE(capture.light(1)->isLocal);
     CHECK(capture.light(1)->tanAngularRadius == Approx(std::tan(3.0 * 3.14159265 / 180.0)));
     CHECK(capture.light(1)->direction[1] > 0.3);
@@ -174,6 +175,29 @@ TEST_CASE("a capture of a shadow that is traced apart adds up to its reference",
     }
     CHECK(penumbraCount > 20);
     CHECK(wrongCount == 0);
+}
+
+TEST_CASE("a capture of a spot's shadow has its place and its size", "[program]")
+{
+    const test::TemporaryFolder folder;
+    test::GltfFile file = test::makeTriangle();
+    file.json["extensions"]["KHR_lights_punctual"]["lights"] = {
+        {{"type", "spot"}, {"spot", nlohmann::json::object()}, {"extras", {{"radius", 0.25}}}}};
+    file.json["nodes"].push_back(
+        {{"translation", {0.25, 0.25, 2.0}}, {"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}}});
+    file.json["scenes"][0]["nodes"] = {0, 1};
+    file.writeBinary(folder / "spot.glb");
+    const std::string path = (folder / "capture").string();
+    const Outcome outcome = run("--headless --validation --size 24x16 --frames 1 --shadow-signal --capture " + path +
+                                " " + (folder / "spot.glb").string());
+    INFO(outcome.errors);
+    REQUIRE(outcome.exitCode == 0);
+    const sample::Capture capture = sample::Capture::open(path);
+    const sample::CaptureLight* light = capture.light(0);
+    REQUIRE(light);
+    CHECK(light->isLocal);
+    CHECK(light->radius == 0.25);
+    CHECK(light->position == std::array<double, 3>{0.25, 0.25, 2.0});
 }
 
 TEST_CASE("auto says what it takes, and leaves out what the scene doesn't need", "[program]")
