@@ -10,7 +10,7 @@ using namespace nrdtest;
 
 namespace
 {
-constexpr float kLitRadius = 1e6f, kUnlitRadius = 0.0f;
+constexpr float kLitRadius = 32768.0f, kUnlitRadius = 0.0f;
 
 double relativeError(float value, float truth) { return std::abs(double(value) / double(truth) - 1.0); }
 
