@@ -2,8 +2,10 @@
 
 #include "nrd_sample_shaders.h"
 
+#include <algorithm>
 #include <cstring>
 #include <glm/gtc/type_ptr.hpp>
+#include <iterator>
 
 namespace sample
 {
@@ -39,6 +41,22 @@ glm::vec2 occlusionWeights(const SampleDenoiser& denoiser)
     return lobes / std::max(lobes.x + lobes.y, 1.0f);
 }
 
+// Where the light is, unless the user said otherwise.
+nrd::SigmaSettings shadowSettings(const ReplaySettings& given, const SceneLight& light)
+{
+    nrd::SigmaSettings settings = given.sigma;
+    const nrd::SigmaSettings untold;
+    if (settings.isLightLocal || !std::equal(std::begin(untold.lightDirection), std::end(untold.lightDirection),
+                                             std::begin(settings.lightDirection)))
+        return settings;
+    settings.isLightLocal = light.kind != LightKind::Directional;
+    for (int i = 0; i < 3; ++i)
+    {
+        settings.lightDirection[i] = settings.isLightLocal ? 0.0f : -light.direction[i]; // it is the light's travel
+        settings.lightPosition[i] = light.position[i];
+    }
+    return settings;
+}
 } // namespace
 
 glm::vec3 hitDistanceParametersOf(const ReplaySettings& settings)
@@ -154,6 +172,9 @@ void DenoiseStage::record(VkCommandBuffer cmd, FrameImages& images, const Denois
 void DenoiseStage::beginFrame(const DenoiseFrame& frame)
 {
     check(m_integration.NewFrame(), "begin a frame of the denoiser");
+    if (m_desc.set.shadow)
+        check(m_integration.SetDenoiserSettings(kShadowDenoiser, shadowSettings(m_desc.settings, *frame.shadowLight)),
+              "set the light");
     check(m_integration.SetCommonSettings(settingsOf(frame)), "set the frame's settings");
 }
 
