@@ -207,11 +207,11 @@ Capture Capture::open(const std::filesystem::path& folder)
     return capture;
 }
 
-const CaptureLight* Capture::light(size_t frameIndex) const
+const CaptureLight* lightOf(const CaptureInfo& info, size_t frameIndex)
 {
-    const CaptureFrame& frame = m_info.frames.at(frameIndex);
+    const CaptureFrame& frame = info.frames.at(frameIndex);
     if (frame.light) return &*frame.light;
-    return m_info.light ? &*m_info.light : nullptr;
+    return info.light ? &*info.light : nullptr;
 }
 
 Planes Capture::readFrame(size_t frameIndex) const { return read(m_info.frames.at(frameIndex).frame, false); }

@@ -119,6 +119,9 @@ struct CaptureInfo
     std::vector<CaptureFrame> frames;
 };
 
+// The light of a frame; null when the capture has none.
+const CaptureLight* lightOf(const CaptureInfo& info, size_t frameIndex);
+
 // A capture on disk. open() reads capture.json and the head of every file; pixels are read frame by frame.
 class Capture
 {
@@ -129,8 +132,7 @@ public:
     const CaptureInfo& info() const { return m_info; }
     // True when every frame holds the channel (frames cannot differ), for reference channels every reference.
     bool has(Channel channel) const { return m_has[static_cast<size_t>(channel)]; }
-    // The light of a frame; null when the capture has none.
-    const CaptureLight* light(size_t frameIndex) const;
+    const CaptureLight* light(size_t frameIndex) const { return lightOf(m_info, frameIndex); }
 
     // Reads one frame; throws FileError, also for a guide that holds a NaN or an infinity.
     Planes readFrame(size_t frameIndex) const;

@@ -236,7 +236,7 @@ void ReplayGpu::recordPack(VkCommandBuffer cmd, Slot& slot, const ReplaySettings
                                   isMix ? m_desc.disocclusionMix : m_desc.confidence,
                                   static_cast<uint32_t>(mode),
                                   settings.common.frameIndex};
-    setLight(constants, m_desc.capture, m_frameIndex);
+    setLight(constants, m_desc.capture.info(), m_frameIndex);
     m_packing.pack(cmd, slot.set, constants);
 }
 

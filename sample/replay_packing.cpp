@@ -37,11 +37,11 @@ void dispatch(const engine::ComputePipeline& pipeline, VkCommandBuffer cmd, VkDe
 }
 } // namespace
 
-void setLight(PackConstants& constants, const Capture& capture, size_t frameIndex)
+void setLight(PackConstants& constants, const CaptureInfo& info, size_t frameIndex)
 {
-    const CaptureLight* light = capture.light(frameIndex);
+    const CaptureLight* light = lightOf(info, frameIndex);
     if (!light) return;
-    const CaptureFrame& frame = capture.info().frames.at(frameIndex);
+    const CaptureFrame& frame = info.frames.at(frameIndex);
     const std::array<double, 4> frustum = frustumOf(frame.viewToClip);
     std::transform(frustum.begin(), frustum.end(), constants.frustum, [](double v) { return static_cast<float>(v); });
     constants.lightKind = light->isLocal ? REPLAY_LIGHT_LOCAL : REPLAY_LIGHT_SUN;
@@ -49,7 +49,8 @@ void setLight(PackConstants& constants, const Capture& capture, size_t frameInde
     for (size_t row = 0; row < 3; row++)
     {
         double x = frame.worldToView[12 + row];
-        for (size_t column = 0; column < 3; column++) x += frame.worldToView[column * 4 + row] * light->position[column];
+        for (size_t column = 0; column < 3; column++)
+            x += frame.worldToView[column * 4 + row] * light->position[column];
         constants.light[row] = static_cast<float>(x);
     }
 }

@@ -21,7 +21,7 @@ struct PackConstants
 };
 
 // The light of a frame and the frame's frustum into the constants; nothing without a light.
-void setLight(PackConstants& constants, const Capture& capture, size_t frameIndex);
+void setLight(PackConstants& constants, const CaptureInfo& info, size_t frameIndex);
 
 // Push constants of replay_unpack.comp.glsl.
 struct UnpackConstants

@@ -6,6 +6,7 @@
 
 const float kClampScale = 1.5; // standard deviations
 const float kChangeNoise = 0.6; // over the deviation of single samples: of the mean over the window, in wide penumbrae
+const float kForgotten = 2e-6; // rounding to the history's bits would keep less than that for ever
 const float kChangeSensitivity = 5.0, kChangeTolerance = 0.1;
 
 Past readPast(ivec2 pixel)
@@ -36,7 +37,8 @@ Past stabilize(ivec2 pixel, ShadowSample now, Neighbourhood n)
     agreement *= measureAgreement(n, now.radius);
     float frames = min(past.n, g.maxAccumulatedFrameNum.x) * agreement;
     // Flicker where penumbra meets full light and the deviation is tiny.
-    Shadow history = mix(bound, past.shadow, 0.6 * agreement * frames / (1.0 + frames));
+    float slack = 0.6 * agreement * frames / (1.0 + frames);
+    Shadow history = mix(bound, past.shadow, slack * step(kForgotten, abs(past.shadow - bound)));
     return Past(mix(history, now.shadow, newSampleWeight(frames)), frames + 1.0);
 }
 

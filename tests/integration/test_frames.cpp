@@ -127,10 +127,11 @@ TEST_CASE("no descriptor set is written or reset while a frame that uses it is p
 
 TEST_CASE("pool textures begin undefined, and history stays where it is", "[unit]")
 {
-    RecordingFixture f;
+    RecordingFixture f({{3, Denoiser::REBLUR_DIFFUSE_SPECULAR}}); // whose history changes places
+    f.fillReblurSlots();
     f.requireCreated();
     f.beginFrame();
-    require(f.denoise(), f.integration);
+    require(f.denoise({3}), f.integration);
     for (const char* name : {"NRD P(0)", "NRD P(1)"})
     {
         const auto barriers = f.barriersOf(name);
@@ -141,7 +142,7 @@ TEST_CASE("pool textures begin undefined, and history stays where it is", "[unit
     for (int frame = 0; frame < 5; frame++)
     {
         f.beginFrame();
-        require(f.denoise(), f.integration);
+        require(f.denoise({3}), f.integration);
     }
     for (const char* name : {"NRD P(0)", "NRD P(1)"})
         for (const rhi::RecordedBarrier& barrier : f.barriersOf(name)) // from UNDEFINED would drop the history

@@ -35,6 +35,7 @@ TEST_CASE("nothing works before Create, and everything says so", "[unit]")
     requireRefusal(integration.SetCommonSettings({}), integration, sentence);
     requireRefusal(integration.SetDenoiserSettings(0, nrd::ReblurSettings{}), integration, sentence);
     requireRefusal(integration.SetDenoiserSettings(0, nrd::RelaxSettings{}), integration, sentence);
+    requireRefusal(integration.SetDenoiserSettings(0, nrd::SigmaSettings{}), integration, sentence);
     requireRefusal(integration.SetDenoiserSettings(0, nrd::ReferenceSettings{}), integration, sentence);
     requireRefusal(integration.Resize(1, 1), integration, sentence);
     requireRefusal(integration.Forget(VK_NULL_HANDLE), integration, sentence);
@@ -148,6 +149,7 @@ TEST_CASE("what the library says of settings is passed on, and the old ones stay
     require(f.denoise(), f.integration); // with the settings before
     CHECK(f.integration.SetDenoiserSettings(7, nrd::ReblurSettings{}) == Result::INVALID_ARGUMENT);
     CHECK(f.integration.SetDenoiserSettings(7, nrd::RelaxSettings{}) == Result::INVALID_ARGUMENT);
+    CHECK(f.integration.SetDenoiserSettings(7, nrd::SigmaSettings{}) == Result::INVALID_ARGUMENT);
     CHECK(f.integration.SetDenoiserSettings(8, nrd::ReferenceSettings{}) == Result::INVALID_ARGUMENT);
 }
 
@@ -170,6 +172,30 @@ TEST_CASE("requests that make no sense are refused and record nothing", "[unit]"
     f.device->clearCalls();
     requireRefusal(f.denoise({7}), f.integration, twice);
     requireNothingRecorded(f);
+}
+
+TEST_CASE("without history a denoiser runs for one light after another, with history a second time is refused",
+          "[unit]")
+{
+    for (const Denoiser denoiser : {Denoiser::SIGMA_SHADOW, Denoiser::SIGMA_SHADOW_TRANSLUCENCY})
+    {
+        RecordingFixture f({{3, denoiser}, {4, denoiser, 1, false}});
+        f.fillReblurSlots();
+        f.pool[ResourceType::IN_PENUMBRA] = f.image(0x401, VK_FORMAT_R16_SFLOAT);
+        f.pool[ResourceType::IN_TRANSLUCENCY] = f.image(0x402, VK_FORMAT_R8G8B8A8_UNORM);
+        f.pool[ResourceType::OUT_SHADOW_TRANSLUCENCY] = f.image(0x403, VK_FORMAT_R8G8B8A8_UNORM);
+        f.requireCreated();
+        f.beginFrame();
+        for (int light = 0; light < 4; light++) require(f.denoise({4}), f.integration);
+        require(f.denoise({3}), f.integration);
+        f.device->clearCalls();
+        requireRefusal(f.denoise({3}), f.integration,
+                       std::string("identifier 3 (") + toString(denoiser) +
+                           ") is denoised twice in one frame, which would spoil its history");
+        requireNothingRecorded(f);
+        f.beginFrame();
+        require(f.denoise({3}), f.integration);
+    }
 }
 
 TEST_CASE("an empty slot that is needed is named, and history goes on afterwards", "[unit]")

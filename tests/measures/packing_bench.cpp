@@ -57,6 +57,20 @@ void setPixel(Planes& planes, Channel first, size_t i, const Vec3& value)
     }
 }
 
+// Misses, surfaces that face away, and hits through glass.
+void addShadow(Planes& frame)
+{
+    std::mt19937 rng(8);
+    std::uniform_real_distribution<double> uniform(0.0, 1.0);
+    frame[Channel::ShadowDist].resize(frame.pixelCount());
+    for (size_t i = 0; i < frame.pixelCount(); i++)
+    {
+        const double distance = i % 3 == 0 ? kHitDistMiss : (i % 7 == 0 ? 0.0 : 0.1 + 3.0 * uniform(rng));
+        frame[Channel::ShadowDist][i] = static_cast<float>(distance);
+        setPixel(frame, Channel::ShadowR, i, {uniform(rng), uniform(rng), uniform(rng)});
+    }
+}
+
 Planes makeFrame(double signOfZ)
 {
     std::mt19937 rng(7);
@@ -83,7 +97,14 @@ Planes makeFrame(double signOfZ)
                      normalized({normal(rng), normal(rng), normal(rng)}));
         }
     }
+    addShadow(frame);
     return frame;
+}
+
+CaptureInfo withLight(CaptureInfo info, const std::optional<CaptureLight>& light)
+{
+    info.light = light;
+    return info;
 }
 
 engine::DeviceDesc deviceDesc()
@@ -96,8 +117,8 @@ engine::DeviceDesc deviceDesc()
 }
 } // namespace
 
-PackingBench::PackingBench(double signOfZ)
-    : info(makeInfo(signOfZ)), frame(makeFrame(signOfZ)), m_device(deviceDesc()), m_packing(m_device)
+PackingBench::PackingBench(double signOfZ, const std::optional<CaptureLight>& light)
+    : info(withLight(makeInfo(signOfZ), light)), frame(makeFrame(signOfZ)), m_device(deviceDesc()), m_packing(m_device)
 {
     for (size_t l = 0; l < kLayerCount; l++)
     {
@@ -123,8 +144,9 @@ engine::Image PackingBench::pack(nrd::ResourceType type, Family family)
     const VkDescriptorSet set = m_packing.createSet(
         ReplayPacking::PackImages{source, direction, layer(Layer::Guides), layer(Layer::Depth), slot});
     const nrd::HitDistanceParameters p = hitDistanceParametersOf(info);
-    const PackConstants constants{
+    PackConstants constants{
         {p.A / static_cast<float>(info.metersPerUnit), p.B, p.C, 0}, row.mode, row.isDiffuse, {kWidth, kHeight}, 0.75f};
+    setLight(constants, info, 0);
     engine::submitAndWait(m_device,
                           [&](VkCommandBuffer cmd)
                           {

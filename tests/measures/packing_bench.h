@@ -4,6 +4,7 @@
 #include "replay_slots.h"
 
 #include <array>
+#include <optional>
 
 namespace sample::test
 {
@@ -24,7 +25,7 @@ CaptureInfo makeInfo(double signOfZ);
 class PackingBench
 {
 public:
-    explicit PackingBench(double signOfZ);
+    explicit PackingBench(double signOfZ, const std::optional<CaptureLight>& light = {});
 
     engine::Image pack(nrd::ResourceType type, Family family = Family::Reblur);
 

@@ -74,6 +74,8 @@ TEST_CASE("every field of every settings struct has a row", "[unit]")
     const std::vector<SettingField> relax = settingFields(settings, Family::Relax);
     CHECK(rowValueCount(relax, "") - common == valueCount<nrd::RelaxSettings>());
     CHECK(rowValueCount(relax, "antilagSettings.") == valueCount<nrd::RelaxAntilagSettings>());
+    const std::vector<SettingField> sigma = settingFields(settings, Family::Sigma);
+    CHECK(rowValueCount(sigma, "") - common == valueCount<nrd::SigmaSettings>());
     const std::vector<SettingField> reference = settingFields(settings, Family::Reference);
     CHECK(rowValueCount(reference, "") - common == valueCount<nrd::ReferenceSettings>());
 }
@@ -83,14 +85,17 @@ TEST_CASE("every family is given its own settings", "[unit]")
     ReplaySettings settings;
     settings.reblur.checkerboardMode = nrd::CheckerboardMode::BLACK;
     settings.relax.checkerboardMode = nrd::CheckerboardMode::WHITE;
+    settings.sigma.checkerboardMode = nrd::CheckerboardMode::BLACK;
     const void* given = nullptr;
     const auto set = [&](const auto& own)
     {
         given = &own;
         return nrd::Result::INVALID_ARGUMENT;
     };
-    const std::pair<Family, const void*> rows[] = {
-        {Family::Reblur, &settings.reblur}, {Family::Relax, &settings.relax}, {Family::Reference, &settings.reference}};
+    const std::pair<Family, const void*> rows[] = {{Family::Reblur, &settings.reblur},
+                                                   {Family::Relax, &settings.relax},
+                                                   {Family::Sigma, &settings.sigma},
+                                                   {Family::Reference, &settings.reference}};
     for (const auto& [family, expected] : rows)
     {
         CHECK(setDenoiserSettings(settings, family, set) == nrd::Result::INVALID_ARGUMENT);
@@ -101,5 +106,6 @@ TEST_CASE("every family is given its own settings", "[unit]")
     CHECK(given == nullptr);
     CHECK(checkerboardModeOf(settings, Family::Reblur) == nrd::CheckerboardMode::BLACK);
     CHECK(checkerboardModeOf(settings, Family::Relax) == nrd::CheckerboardMode::WHITE);
+    CHECK(checkerboardModeOf(settings, Family::Sigma) == nrd::CheckerboardMode::BLACK);
     CHECK(checkerboardModeOf(settings, Family::Reference) == nrd::CheckerboardMode::OFF);
 }

@@ -30,8 +30,6 @@ rhi::Format toRhi(nrd::Format format)
         return rhi::Format::RGBA16_SNORM;
     case nrd::Format::A2B10G10R10_UNORM_PACK32:
         return rhi::Format::A2B10G10R10_UNORM_PACK32;
-    case nrd::Format::RGBA32_SFLOAT:
-        return rhi::Format::RGBA32_SFLOAT;
     default:
         return rhi::Format::RGBA16_SFLOAT;
     }
@@ -87,21 +85,6 @@ struct GuideMaker
     Frame& frame;
     View now, before;
 
-    glm::vec3 worldPosition(int x, int y) const
-    {
-        const glm::vec2 uv = (glm::vec2(x, y) + 0.5f) / glm::vec2(frame.rect);
-        const glm::mat4& clip = frame.guides.camera.viewToClip; // jittered, as it was traced
-        const float z = frame.guides.viewZ[frame.pixel(x, y)];
-        const glm::vec2 ndc(2.0f * uv.x - 1.0f, 1.0f - 2.0f * uv.y);
-        const bool isOrthographic = clip[3][3] == 1.0f;
-        const float w = isOrthographic ? 1.0f : z;
-        const int column = isOrthographic ? 3 : 2;
-        const glm::vec2 shift(clip[column][0], clip[column][1]);
-        const glm::vec2 scale(clip[0][0], clip[1][1]);
-        const glm::vec2 xy = (ndc - shift) * w / scale;
-        return glm::vec3(glm::inverse(now.camera.worldToView) * glm::vec4(xy, z, 1.0f));
-    }
-
     float storedViewZ(float z) const
     {
         return z * setup.unitsPerMeter * setup.viewZFactor * (setup.isRightHanded ? -1.0f : 1.0f);
@@ -112,7 +95,7 @@ struct GuideMaker
     {
         if (setup.motion == MotionKind::World)
             return glm::vec4(-setup.sceneVelocity * setup.unitsPerMeter * setup.motionFactor, 0.0f);
-        const glm::vec3 world = worldPosition(x, y);
+        const glm::vec3 world = worldPosition(frame, x, y);
         const glm::vec2 delta = projectToUv(before.camera, world) - projectToUv(now.camera, world);
         const float z = frame.guides.viewZ[frame.pixel(x, y)];
         const float zBefore = (before.camera.worldToView * glm::vec4(world, 1.0f)).z;
@@ -123,7 +106,7 @@ struct GuideMaker
     glm::vec4 guide(int x, int y) const
     {
         const size_t i = frame.pixel(x, y);
-        const bool isRight = setup.hasMaterials && worldPosition(x, y).x > 0.0f;
+        const bool isRight = setup.hasMaterials && worldPosition(frame, x, y).x > 0.0f;
         return packGuide(frame.guides.normals[i], frame.guides.roughness[i], isRight ? 1.0f : 0.0f, setup);
     }
 
@@ -156,6 +139,22 @@ std::optional<float> findConstant(const Setup& setup, Slot slot)
 }
 } // namespace
 
+glm::vec3 worldPosition(const Frame& frame, int x, int y)
+{
+    const quality::Camera& camera = frame.guides.camera; // jittered, as it was traced
+    const glm::mat4& clip = camera.viewToClip;
+    const glm::vec2 uv = (glm::vec2(x, y) + 0.5f) / glm::vec2(frame.rect);
+    const float z = frame.guides.viewZ[frame.pixel(x, y)];
+    const glm::vec2 ndc(2.0f * uv.x - 1.0f, 1.0f - 2.0f * uv.y);
+    const bool isOrthographic = clip[3][3] == 1.0f;
+    const float w = isOrthographic ? 1.0f : z;
+    const int column = isOrthographic ? 3 : 2;
+    const glm::vec2 shift(clip[column][0], clip[column][1]);
+    const glm::vec2 scale(clip[0][0], clip[1][1]);
+    const glm::vec2 xy = (ndc - shift) * w / scale;
+    return glm::vec3(glm::inverse(camera.worldToView) * glm::vec4(xy, z, 1.0f));
+}
+
 bool isOutput(Slot slot) { return slot >= Slot::OUT_DIFF_RADIANCE_HITDIST; }
 
 glm::vec4 poisonOf(rhi::Format format)
@@ -167,7 +166,9 @@ glm::vec4 poisonOf(rhi::Format format)
 rhi::Format formatOf(const nrd::ResourceRequirement& need, const Setup& setup)
 {
     if (need.type == Slot::IN_VIEWZ) return setup.hasHalfViewZ ? rhi::Format::R16_SFLOAT : rhi::Format::R32_SFLOAT;
-    const rhi::Format least = toRhi(need.minFormat);
+    // One channel of 8 bits serves REFERENCE, but not the radiance it is given here.
+    const bool isAnySignal = need.type == Slot::IN_SIGNAL || need.type == Slot::OUT_SIGNAL;
+    const rhi::Format least = isAnySignal ? rhi::Format::RGBA16_SFLOAT : toRhi(need.minFormat);
     return setup.hasLargeFormats && need.type != Slot::IN_NORMAL_ROUGHNESS ? larger(least) : least;
 }
 

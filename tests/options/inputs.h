@@ -30,6 +30,9 @@ struct Frame
     }
 };
 
+// Of a pixel of the rectangle, in metres.
+glm::vec3 worldPosition(const Frame& frame, int x, int y);
+
 // Least format, or a larger one, of a slot.
 rhi::Format formatOf(const nrd::ResourceRequirement& need, const Setup& setup);
 

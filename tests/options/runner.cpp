@@ -49,14 +49,17 @@ struct Runner::Impl
     void resize(glm::ivec2 to);
     std::vector<nrd::ResourceRequirement> requirements() const;
     test::Image& imageOf(Slot slot, const Frame& frame);
-    void record(rhi::CommandBuffer& commands, Frame& frame);
+    void prepare(rhi::CommandBuffer& commands, Slot slot, const Frame& frame, nrd::NrdUserPool& pool);
+    void record(rhi::CommandBuffer& commands, const Frame& frame);
+    Result read(const Frame& frame);
     nrd::Identifier identifier() const { return setup.resolutionDivisor + (setup.hasHistory ? 0 : kWithoutHistory); }
     nrd::Result setSettings();
 
     nrd::NrdIntegration integration;
     glm::ivec2 size{1};
     Setup setup;
-    std::map<Slot, std::unique_ptr<test::Image>> images;
+    size_t light = 0; // of one frame
+    std::map<std::pair<size_t, Slot>, std::unique_ptr<test::Image>> images;
 };
 
 void Runner::Impl::resize(glm::ivec2 to)
@@ -78,7 +81,7 @@ nrd::Result Runner::Impl::setSettings()
     case Family::Reference:
         break;
     }
-    return integration.SetDenoiserSettings(identifier(), nrd::ReferenceSettings());
+    return integration.SetDenoiserSettings(identifier(), setup.referenceSettings);
 }
 
 std::vector<nrd::ResourceRequirement> Runner::Impl::requirements() const
@@ -91,7 +94,8 @@ std::vector<nrd::ResourceRequirement> Runner::Impl::requirements() const
 
 test::Image& Runner::Impl::imageOf(Slot slot, const Frame& frame)
 {
-    std::unique_ptr<test::Image>& image = images[slot];
+    const bool isShared = setup.isInPlace && slot == Slot::OUT_SIGNAL;
+    std::unique_ptr<test::Image>& image = images[{light, isShared ? Slot::IN_SIGNAL : slot}];
     const rhi::Format format = frame.formats.at(slot);
     const bool isFit =
         image && image->format() == format && image->width() == frame.size.x && image->height() == frame.size.y;
@@ -101,34 +105,50 @@ test::Image& Runner::Impl::imageOf(Slot slot, const Frame& frame)
     return *image;
 }
 
-void Runner::Impl::record(rhi::CommandBuffer& commands, Frame& frame)
+void Runner::Impl::prepare(rhi::CommandBuffer& commands, Slot slot, const Frame& frame, nrd::NrdUserPool& pool)
+{
+    test::Image& image = imageOf(slot, frame);
+    const bool isWritten = isOutput(slot);
+    const bool isInPlace = setup.isInPlace && (slot == Slot::IN_SIGNAL || slot == Slot::OUT_SIGNAL);
+    if (!isWritten)
+        image.fill(frame.inputs.at(slot));
+    else if (!isInPlace)
+        image.fill(storedPoison(frame.formats.at(slot)));
+    image.upload(commands);
+    const bool isGeneral = isWritten || isInPlace;
+    image.transition(commands, isGeneral ? rhi::states::kStorageWrite : rhi::states::kSampled);
+    nrd::NrdUserImage& entry = pool[slot];
+    entry.image = rhi::vulkanImage(image.texture());
+    entry.format = rhi::toVulkan(frame.formats.at(slot));
+    entry.width = static_cast<uint32_t>(frame.size.x);
+    entry.height = static_cast<uint32_t>(frame.size.y);
+    entry.state.layout = isGeneral ? VK_IMAGE_LAYOUT_GENERAL : VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL;
+    entry.state.access = isGeneral ? VK_ACCESS_SHADER_WRITE_BIT : VK_ACCESS_SHADER_READ_BIT;
+    entry.state.stages = VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT;
+}
+
+void Runner::Impl::record(rhi::CommandBuffer& commands, const Frame& frame)
 {
     nrd::NrdUserPool pool;
-    for (const auto& [slot, format] : frame.formats)
-    {
-        test::Image& image = imageOf(slot, frame);
-        const bool isWritten = isOutput(slot);
-        if (isWritten)
-            image.fill(storedPoison(format));
-        else
-            image.fill(frame.inputs.at(slot));
-        image.upload(commands);
-        image.transition(commands, isWritten ? rhi::states::kStorageWrite : rhi::states::kSampled);
-        nrd::NrdUserImage& entry = pool[slot];
-        entry.image = rhi::vulkanImage(image.texture());
-        entry.format = rhi::toVulkan(format);
-        entry.width = static_cast<uint32_t>(frame.size.x);
-        entry.height = static_cast<uint32_t>(frame.size.y);
-        entry.state.layout = isWritten ? VK_IMAGE_LAYOUT_GENERAL : VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL;
-        entry.state.access = isWritten ? VK_ACCESS_SHADER_WRITE_BIT : VK_ACCESS_SHADER_READ_BIT;
-        entry.state.stages = VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT;
-    }
+    for (const auto& [slot, format] : frame.formats) prepare(commands, slot, frame, pool);
     const nrd::Identifier chosen = identifier();
     nrd::DenoiseOptions options;
     options.restoreInitialStates = true;
     require(integration.Denoise(rhi::vulkanCommandBuffer(commands), &chosen, 1, pool, options), integration);
     for (const auto& [slot, format] : frame.formats)
         if (isOutput(slot)) imageOf(slot, frame).download(commands);
+}
+
+Result Runner::Impl::read(const Frame& frame)
+{
+    Result result = {frame, {}, {}};
+    for (const auto& [slot, format] : frame.formats)
+    {
+        if (!isOutput(slot)) continue;
+        result.outputs[slot] = imageOf(slot, frame).read();
+        result.poison[slot] = storedPoison(format);
+    }
+    return result;
 }
 
 Runner::Runner(nrd::Denoiser denoiser, nrd::NormalEncoding normals, nrd::RoughnessEncoding roughness)
@@ -164,24 +184,32 @@ void Runner::change(const Setup& setup)
 
 Result Runner::denoise(int frameIndex)
 {
+    const Setup setup = m_impl->setup;
+    return denoiseLights(frameIndex, {&setup, 1})[0];
+}
+
+std::vector<Result> Runner::denoiseLights(int frameIndex, std::span<const Setup> lights)
+{
     nrd::NrdIntegration& integration = m_impl->integration;
     require(integration.NewFrame(), integration);
-    require(integration.SetCommonSettings(makeCommon(m_impl->setup, frameIndex, frameIndex == 0)), integration);
-    Result result;
-    result.frame = makeFrame(m_impl->setup, m_impl->requirements(), frameIndex);
+    require(integration.SetCommonSettings(makeCommon(lights[0], frameIndex, frameIndex == 0)), integration);
     const auto commands = test::validatedDevice().createCommandBuffer("denoise");
     commands->begin();
-    m_impl->record(*commands, result.frame);
+    std::vector<Frame> frames;
+    for (m_impl->light = 0; m_impl->light < lights.size(); m_impl->light++)
+    {
+        if (lights.size() > 1) change(lights[m_impl->light]);
+        frames.push_back(makeFrame(m_impl->setup, m_impl->requirements(), frameIndex));
+        m_impl->record(*commands, frames.back());
+    }
     commands->end();
     test::submitAndWait(*commands);
-    for (const auto& [slot, format] : result.frame.formats)
-    {
-        if (!isOutput(slot)) continue;
-        result.outputs[slot] = m_impl->imageOf(slot, result.frame).read();
-        result.poison[slot] = storedPoison(format);
-    }
+    std::vector<Result> results;
+    for (m_impl->light = 0; m_impl->light < lights.size(); m_impl->light++)
+        results.push_back(m_impl->read(frames[m_impl->light]));
+    m_impl->light = 0;
     test::failOnMessages();
-    return result;
+    return results;
 }
 
 uint32_t Runner::pipelineCount() const { return m_impl->integration.GetStatistics().pipelines; }

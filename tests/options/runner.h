@@ -3,6 +3,7 @@
 #pragma once
 #include "inputs.h"
 #include <memory>
+#include <span>
 
 namespace options
 {
@@ -27,6 +28,10 @@ public:
 
     // Frames may begin at any index. The first one after start() clears the outputs.
     Result denoise(int frameIndex);
+
+    // One frame in which the denoiser runs once for each of the setups, on other images each time: what differs between
+    // them are SIGMA's lights. The common settings are the first one's.
+    std::vector<Result> denoiseLights(int frameIndex, std::span<const Setup> lights);
 
     uint32_t pipelineCount() const;
 

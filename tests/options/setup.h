@@ -33,16 +33,24 @@ enum class Family : uint8_t
     Reference
 };
 
+// Towards a light, as the front end packs it.
+struct LightRay
+{
+    float penumbra = 65504.0f;
+    glm::vec4 translucency{1.0f};
+};
+
 struct Setup
 {
     nrd::Denoiser denoiser = nrd::Denoiser::REBLUR_DIFFUSE_SPECULAR;
     nrd::NormalEncoding normalEncoding = nrd::NormalEncoding::R10_G10_B10_A2_UNORM;
     nrd::RoughnessEncoding roughnessEncoding = nrd::RoughnessEncoding::LINEAR;
-    uint32_t resolutionDivisor = 1;   // 1 or 2
-    bool hasHistory = true;           // false: of SIGMA only
-    nrd::ReblurSettings settings;     // of REBLUR
-    nrd::RelaxSettings relaxSettings; // of RELAX
-    nrd::SigmaSettings sigmaSettings; // of SIGMA
+    uint32_t resolutionDivisor = 1;           // 1 or 2
+    bool hasHistory = true;                   // false: of SIGMA only
+    nrd::ReblurSettings settings;             // of REBLUR
+    nrd::RelaxSettings relaxSettings;         // of RELAX
+    nrd::SigmaSettings sigmaSettings;         // of SIGMA
+    nrd::ReferenceSettings referenceSettings; // of REFERENCE
 
     glm::ivec2 size{127, 63}; // resource, pixels
     glm::ivec2 rect{127, 63};
@@ -72,8 +80,11 @@ struct Setup
     std::function<quality::Camera(int frame)> camera; // in place of quality::makeCamera()
     std::function<quality::Guides(const quality::Camera&, glm::ivec2 size, int frame)> scene;
     std::function<float(int x, int width)> meanAt; // in place of `mean`
-    // RELAX only: RGB and hit distance in place of the noisy samples.
+    // RELAX: RGB and hit distance in place of the noisy samples. REFERENCE: the signal.
     std::function<glm::vec4(glm::ivec2 pixel, int frame)> sampleAt;
+    // SIGMA: in place of a shadow's edge down the middle, from positions in metres; no means then.
+    std::function<LightRay(glm::vec3 position, glm::ivec2 pixel, int frame)> rayAt;
+    bool isInPlace = false; // REFERENCE: one image is input and output
 
     // What REBLUR and RELAX have, in whichever of them is used.
     template <class Change> void changeSettings(Change&& change)

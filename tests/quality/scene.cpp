@@ -1,5 +1,4 @@
 #include "scene.h"
-#include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
 namespace quality
@@ -18,13 +17,6 @@ constexpr Sphere kSpheres[] = {
     {{0.0f, 0.8f, 5.0f}, 0.8f, 0.25f},
     {{2.0f, 1.2f, 7.0f}, 1.2f, 0.6f},
     {{0.7f, 0.3f, 3.5f}, 0.3f, 1.0f},
-};
-
-struct Hit
-{
-    float distance = INFINITY;
-    glm::vec3 normal{0.0f, 1.0f, 0.0f};
-    float roughness = 1.0f;
 };
 
 void intersectSphere(const Sphere& sphere, glm::vec3 origin, glm::vec3 direction, Hit& hit)
@@ -46,7 +38,7 @@ void intersectPlane(glm::vec3 normal, float offset, float roughness, glm::vec3 o
     hit = {distance, glm::dot(normal, direction) < 0.0f ? normal : -normal, roughness};
 }
 
-Hit trace(glm::vec3 origin, glm::vec3 direction)
+Hit traceScene(glm::vec3 origin, glm::vec3 direction)
 {
     Hit hit;
     for (const Sphere& sphere : kSpheres) intersectSphere(sphere, origin, direction, hit);
@@ -71,6 +63,11 @@ Camera makeCamera(int frame, float speed, int width, int height)
 }
 
 Guides renderGuides(const Camera& camera, int width, int height)
+{
+    return renderGuides(camera, width, height, traceScene);
+}
+
+Guides renderGuides(const Camera& camera, int width, int height, const Trace& trace)
 {
     const size_t count = static_cast<size_t>(width) * static_cast<size_t>(height);
     Guides guides{camera, std::vector<float>(count), std::vector<glm::vec3>(count), std::vector<float>(count)};

@@ -1,7 +1,9 @@
 // A closed-form scene: a floor, a wall and spheres of several roughnesses under sky, seen by a camera that moves.
 #pragma once
 #include <array>
+#include <cmath>
 #include <cstdint>
+#include <functional>
 #include <glm/glm.hpp>
 #include <vector>
 
@@ -27,5 +29,14 @@ struct Guides
 // speed: world units a frame moves the camera and degrees it turns; 0 = static.
 Camera makeCamera(int frame, float speed, int width, int height);
 
-Guides renderGuides(const Camera& camera, int width, int height);
+struct Hit
+{
+    float distance = INFINITY; // sky
+    glm::vec3 normal{0.0f, 1.0f, 0.0f};
+    float roughness = 1.0f;
+};
+using Trace = std::function<Hit(glm::vec3 origin, glm::vec3 direction)>; // unit direction
+
+Guides renderGuides(const Camera& camera, int width, int height); // of the scene above
+Guides renderGuides(const Camera& camera, int width, int height, const Trace& trace);
 } // namespace quality
