@@ -136,7 +136,7 @@ float dataShare(ivec2 pixel, bool isSpecular, float n)
 // How much a limit relative to the history counts: not at all without history.
 float fireflyBlend(float n)
 {
-    float x = 0.1 * n * g.maxBlurRadius;
+    float x = n * g.fireflyStrictness;
     return x / (1.0 + x);
 }
 
@@ -187,7 +187,8 @@ float mixFast(float history, float signal, float weight)
     return weight == 1.0 ? signal : mix(history, signal, weight);
 }
 
-// Otherwise blotches travel over the picture during rotation at high frame rates.
+// Of the fast history: otherwise blotches travel over the picture during rotation at high frame rates. Of the sample
+// that antilag moves towards: it may be a firefly.
 float limitFast(float fast, float historyLuma, float n)
 {
     return kIsBounded ? fast : mix(fast, min(fast, historyLuma * 4.0 * fireflyScale(n)), fireflyBlend(n));

@@ -28,9 +28,17 @@ void addFireflies(quality::Signal& signal, unsigned seed)
         if (rng() % kOneIn == 0) v = glm::vec4(glm::vec3(kFirefly * kMean), v.w);
 }
 
-Figures measureRun(nrd::Denoiser denoiser, bool hasFireflies, bool hasAntiFirefly)
+struct Run
 {
-    quality::Harness harness(kWidth, kHeight, makeFireflySettings(denoiser, hasAntiFirefly), denoiser);
+    bool hasFireflies;
+    bool hasAntiFirefly;
+    bool hasPrePass;
+};
+
+Figures measureRun(nrd::Denoiser denoiser, const Run& run)
+{
+    const quality::Settings settings = makeFireflySettings(denoiser, run.hasAntiFirefly, run.hasPrePass);
+    quality::Harness harness(kWidth, kHeight, settings, denoiser);
     const quality::Guides guides =
         quality::renderGuides(quality::makeCamera(0, 0.0f, kWidth, kHeight), kWidth, kHeight);
     const Means means(kPixelCount, kMean);
@@ -39,7 +47,7 @@ Figures measureRun(nrd::Denoiser denoiser, bool hasFireflies, bool hasAntiFirefl
     for (int frame = 0; frame < kFrames; frame++)
     {
         quality::Signal noise = makePathNoise(means, unsigned(frame));
-        if (hasFireflies) addFireflies(noise, unsigned(frame));
+        if (run.hasFireflies) addFireflies(noise, unsigned(frame));
         const quality::Signal& out = denoiseLobe(harness, denoiser, guides, noise);
         if (frame < kWarmUp) continue;
         for (size_t i = 0; i < kPixelCount; i++)
@@ -54,30 +62,34 @@ Figures measureRun(nrd::Denoiser denoiser, bool hasFireflies, bool hasAntiFirefl
     return figures;
 }
 
-Figures printRun(nrd::Denoiser denoiser, bool hasFireflies, bool hasAntiFirefly)
+Figures printRun(nrd::Denoiser denoiser, const Run& run)
 {
-    const Figures f = measureRun(denoiser, hasFireflies, hasAntiFirefly);
-    std::printf("FIGURE %s, %s fireflies, anti-firefly %s: brightest %.3f, mean %.4f of the mean without fireflies\n",
-                nrd::toString(denoiser), hasFireflies ? "with" : "without", hasAntiFirefly ? "on" : "off", f.brightest,
-                f.mean);
+    const Figures f = measureRun(denoiser, run);
+    std::printf("FIGURE %s, %s fireflies, anti-firefly %s, pre-pass %s: brightest %.3f, mean %.4f\n",
+                nrd::toString(denoiser), run.hasFireflies ? "with" : "without", run.hasAntiFirefly ? "on" : "off",
+                run.hasPrePass ? "on" : "off", f.brightest, f.mean);
     return f;
 }
 } // namespace
 
-// The aims are a mean within 2 % and nothing brighter than twice the mean with fireflies too: T(2) is 0.10 above T(1).
-// Neither is reached yet: the pre-pass spreads a firefly over its neighbourhood before
-// anything limits it. Printed above; checked here is what holds.
-TEST_CASE("anti-firefly dims fireflies, and costs no energy where there are none", "[gpu]")
+// Twice the mean is 0.10 above it in what the eye sees.
+TEST_CASE("with anti-firefly on, fireflies leave no blob and change no mean", "[gpu]")
 {
     for (const nrd::Denoiser denoiser : kDenoisers)
     {
-        INFO(nrd::toString(denoiser));
-        const Figures clean = printRun(denoiser, false, true);
-        const Figures with = printRun(denoiser, true, true);
-        const Figures off = printRun(denoiser, true, false);
-        if (denoiser != nrd::Denoiser::RELAX_SPECULAR) CHECK(std::abs(clean.mean - 1.0) < 0.02); // -0.0202 there
-        CHECK(clean.brightest < 2.0);
-        CHECK(with.brightest < off.brightest);
-        if (!isRelax(denoiser)) CHECK(with.mean < off.mean);
+        for (const bool hasPrePass : {true, false})
+        {
+            INFO(nrd::toString(denoiser) << ", pre-pass " << hasPrePass);
+            const Figures clean = printRun(denoiser, {false, true, hasPrePass});
+            const Figures with = printRun(denoiser, {true, true, hasPrePass});
+            CHECK(with.brightest < 2.0);
+            CHECK(std::abs(with.mean / clean.mean - 1.0) < 0.02);
+            CHECK(std::abs(with.mean - 1.0) < 0.02);
+        }
     }
+}
+
+TEST_CASE("without anti-firefly, fireflies stay", "[gpu]")
+{
+    for (const nrd::Denoiser denoiser : kDenoisers) CHECK(printRun(denoiser, {true, false, true}).brightest > 10.0);
 }

@@ -92,6 +92,11 @@ void fillCommon(const Request& request, shared::DenoiserConstants& g)
     fillDisocclusion(request, g);
 }
 
+float fireflyStrictness(bool hasAntiFirefly, float maxBlurRadius)
+{
+    return hasAntiFirefly ? 1e6f : 0.1f * maxBlurRadius;
+}
+
 // Which pixels of this frame have data, and how much a pixel without counts: less the higher the frame rate, since the
 // real sample comes with the next frame; half if the jitter makes the frames different anyway.
 void fillIncomplete(const Request& request, CheckerboardMode checkerboard, HitDistanceReconstructionMode reconstruction,

@@ -50,6 +50,7 @@ void fillFilters(const Request& request, const ReblurSettings& s, shared::Denois
     // Without spatial filtering the long history is as noisy as the fast one, so the box must be wider.
     g.fastClampSigmaScale = toFloat(mix(3.0, s.fastHistoryClampingSigmaScale, saturate(s.maxBlurRadius / 2.0)));
     g.fireflyMinScale = s.fireflySuppressorMinRelativeScale;
+    g.fireflyStrictness = fireflyStrictness(s.enableAntiFirefly, g.maxBlurRadius);
     g.minMaterialForDiffuse = s.minMaterialForDiffuse;
     g.minMaterialForSpecular = s.minMaterialForSpecular;
     g.isPrepassTrackingOnly = s.usePrepassOnlyForSpecularMotionEstimation ? 1 : 0;
