@@ -8,7 +8,6 @@
 #endif
 #include "checkerboard.glsl"
 
-const float kFireflyHeadroom = 38.0;
 const ivec2 kHalo = ivec2(10, 18); // an 8x16 group and one texel round it
 
 shared vec4 sNormalViewZ[kHalo.y][kHalo.x]; // viewZ: 0 = out of range
@@ -140,7 +139,7 @@ float fireflyBlend(float n)
     return x / (1.0 + x);
 }
 
-float fireflyScale(float n) { return g.fireflyMinScale + kFireflyHeadroom / (n + 1.0); }
+float fireflyScale(float n) { return g.fireflyMinScale + g.fireflyHeadroom / (n + 1.0); }
 
 Signal withoutVariance(Signal signal) { return Signal(vec4(signal.value.xyz, 0.0), signal.axis); }
 

@@ -6,11 +6,12 @@
 #define FIREFLY_CAP_GLSL
 #include "history_reset.glsl"
 
-// A sample that carries all energy deviates by the root of its rarity: 32 follows one in 32^2. At least 16, the most by
-// which one of 256 values can deviate from their mean: the tile's own statistics then never cap what they consist of.
-const float kSpreadScale = 32.0;
-const float kSpreadFrameNum = 8.0;
-const float kFewSamples = 8.0;   // say nothing of what is normal
+// Where one sample in N carries all energy, the deviation is sqrt(N) times the mean and the sample sqrt(N) times that:
+// 48 follows light of one in 48^2. More, and chance makes the statistics grow with fireflies of one in 5000. Not less
+// than 16, by which one of 256 values can deviate: the tile's own statistics never cap what they consist of.
+const float kSpreadScale = 48.0;
+const float kSpreadFrameNum = 32.0;
+const float kFewSamples = 8.0; // say nothing of what is normal
 const float kNoCap = 1e30;
 const float kNoLuma = -1.0;
 // The share with which whatever is brighter counts in the statistics, or they would never leave black.

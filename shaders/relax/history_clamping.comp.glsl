@@ -123,7 +123,7 @@ Signal fixHistory(texture2D t, texture2D second, Pixel p, Lobe lobe, bool isSpec
 // Rank-conditioned rank selection over 3x3: what is brighter, or darker, than all of its like is an outlier.
 Signal suppressFirefly(texture2D t, Pixel p, Lobe lobe, ivec2 position, Signal signal)
 {
-    float low = 1e30, high = -1.0;
+    float low = 1e30, high = -1.0, highest = -1.0;
     for (int i = 0; i < 9; i++)
     {
         ivec2 pixel = position + ivec2(i % 3, i / 3) - 1;
@@ -134,12 +134,15 @@ Signal suppressFirefly(texture2D t, Pixel p, Lobe lobe, ivec2 position, Signal s
         bool isLike = isInRange(viewZ) && dot(guide.N, p.guide.N) > 0.99 &&
                       abs(dot(p.Nv, Xv - p.Xv)) < g.planeDistanceSensitivity * p.frustumSize &&
                       isSameMaterial(p.guide.materialID, guide.materialID, lobe.minMaterial);
-        if (!isLike) continue;
         float Y = texelFetch(t, pixel, 0).x;
+        if (isInRange(viewZ)) highest = max(highest, Y);
+        if (!isLike) continue;
         low = min(low, Y);
         high = max(high, Y);
     }
-    return high < 0.0 ? signal : changeLuma(signal, clamp(luma(signal), low, high));
+    // Without its like a pixel has nothing that would spread a firefly either.
+    if (high < 0.0) return highest < 0.0 ? signal : capLuma(signal, highest);
+    return changeLuma(signal, clamp(luma(signal), low, high));
 }
 
 struct Lumas
@@ -179,6 +182,7 @@ Lumas bound(int lobe, bool isSpecular, float slow, Moments m)
     float excess = max(abs(result.slow - present) - noise, 0.0);
     float amount = saturate(g.relaxAntilag.w * excess / (kEps + max(result.slow, present) + noise));
     amount *= isSpecular ? 0.5 : 1.0;
+    if (kHasAntiFirefly) noisy = min(noisy, present + m.sigma[2 * lobe + 1]);
     return Lumas(mix(result.slow, noisy, amount), mix(result.fast, noisy, amount));
 }
 

@@ -30,8 +30,7 @@ void fillHistory(const Request& request, const RelaxSettings& s, shared::Denoise
     g.fastClampSigmaScale = s.fastHistoryClampingSigmaScale;
     g.relaxAntilag = {s.antilagSettings.accelerationAmount, s.antilagSettings.spatialSigmaScale,
                       s.antilagSettings.temporalSigmaScale, s.antilagSettings.resetAmount};
-    g.fireflyMinScale = 2.0f;
-    g.fireflyStrictness = fireflyStrictness(s.enableAntiFirefly, 30.0f);
+    fillFireflies(s.enableAntiFirefly, capsFireflies(s), 2.0f, 30.0f, g);
     g.responsiveMinFrameNum = static_cast<float>(kHistoryMaxFrameNum);
 }
 
