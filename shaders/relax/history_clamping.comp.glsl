@@ -35,8 +35,10 @@ layout(set = SET_RESOURCES, binding = FIRST_OUT + SIGNAL_NUM + 3) uniform writeo
 const int kRadius = 2;
 const ivec2 kHalo = ivec2(8 + 2 * kRadius, 16 + 2 * kRadius);
 const float kInvalid = -1.0; // lumas are not negative
+const float kRelitFrameNum = 4.0; // what a mean over 5x5 noisy pixels is worth
 
 shared vec4 sLumas[kHalo.y][kHalo.x]; // fast and noisy of one lobe, then of the other
+shared vec2 sSlow[kHalo.y][kHalo.x];  // per lobe
 
 void loadLumas(ivec2 group)
 {
@@ -47,6 +49,14 @@ void loadLumas(ivec2 group)
         ivec2 inside = clampToRect(pixel);
         bool isUsed = pixel == inside && isInRange(decodeViewZ(texelFetch(gIn_ViewZ, guideTexel(inside), 0).x));
         sLumas[local.y][local.x] = isUsed ? texelFetch(gIn_Fast, inside, 0) : vec4(kInvalid);
+        vec2 slow = vec2(0.0);
+#if HAS_DIFFUSE
+        slow.x = texelFetch(gIn_Diffuse, inside, 0).x;
+#endif
+#if HAS_SPECULAR
+        slow[kSpecularChannel] = texelFetch(gIn_Specular, inside, 0).x;
+#endif
+        sSlow[local.y][local.x] = slow;
     }
 }
 
@@ -54,6 +64,8 @@ struct Moments
 {
     vec4 mean;
     vec4 sigma;
+    vec2 slow;        // mean of the long history, per lobe
+    vec2 changeSigma; // of what the short history differs from it by
 };
 
 // 5x5; what is out of range counts as the centre. Two passes: a variance from sums of squares has no digits left on
@@ -62,20 +74,28 @@ Moments measureLumas()
 {
     ivec2 local = ivec2(gl_LocalInvocationID.xy);
     vec4 centre = sLumas[local.y + kRadius][local.x + kRadius];
+    vec2 centreSlow = sSlow[local.y + kRadius][local.x + kRadius];
     vec4 mean = vec4(0.0), variance = vec4(0.0);
+    vec2 slow = vec2(0.0), changeVariance = vec2(0.0);
     for (int i = 0; i < 25; i++)
     {
         vec4 value = sLumas[local.y + i / 5][local.x + i % 5];
-        mean += value.x == kInvalid ? vec4(0.0) : value - centre;
+        bool isUsed = value.x != kInvalid;
+        mean += isUsed ? value - centre : vec4(0.0);
+        slow += isUsed ? sSlow[local.y + i / 5][local.x + i % 5] - centreSlow : vec2(0.0);
     }
     mean = centre + mean / 25.0;
+    slow = centreSlow + slow / 25.0;
     for (int i = 0; i < 25; i++)
     {
         vec4 value = sLumas[local.y + i / 5][local.x + i % 5];
-        vec4 difference = (value.x == kInvalid ? centre : value) - mean;
+        bool isUsed = value.x != kInvalid;
+        vec4 difference = (isUsed ? value : centre) - mean;
+        vec2 slowDifference = (isUsed ? sSlow[local.y + i / 5][local.x + i % 5] : centreSlow) - slow;
         variance += difference * difference;
+        changeVariance += (difference.xz - slowDifference) * (difference.xz - slowDifference);
     }
-    return Moments(mean, sqrt(variance / 25.0));
+    return Moments(mean, sqrt(variance / 25.0), slow, sqrt(changeVariance / 25.0));
 }
 
 ivec2 mirrorPixel(ivec2 pixel)
@@ -163,10 +183,27 @@ float pullOf(float slow, float clamped, float fast)
     return abs(way) > kEps ? saturate((clamped - slow) / way) : 0.0;
 }
 
-Lumas bound(int lobe, bool isSpecular, float slow, Moments m)
+// How far the two histories differ by more than noise. Detail is in both of them, so what is compared are means of
+// differences over 5x5 pixels, in their standard errors; neighbours that share samples count as 16 pixels.
+float changeAmount(int lobe, Moments m)
+{
+    float change = abs(m.mean[2 * lobe] - m.slow[lobe]);
+    float noise = 0.25 * (g.relaxAntilag.y * m.changeSigma[lobe] + g.relaxAntilag.z * m.sigma[2 * lobe + 1]) + kEps;
+    return saturate(2.0 * g.relaxAntilag.w * max(change / noise - 1.0, 0.0));
+}
+
+// A history under the light that its neighbourhood has now: dimmed or raised as a whole, so that detail stays and noise
+// is that of a mean over 5x5 pixels.
+float relight(float slow, int lobe, Moments m)
+{
+    float before = m.slow[lobe], now = m.mean[2 * lobe + 1];
+    return now < before ? slow * now / before : slow + now - before;
+}
+
+Lumas bound(int lobe, bool isSpecular, float slow, float amount, Moments m)
 {
     ivec2 local = ivec2(gl_LocalInvocationID.xy) + kRadius;
-    float fast = sLumas[local.y][local.x][2 * lobe], noisy = sLumas[local.y][local.x][2 * lobe + 1];
+    float fast = sLumas[local.y][local.x][2 * lobe];
     float mean = m.mean[2 * lobe], sigma = m.sigma[2 * lobe] * g.fastClampSigmaScale;
     // Widened to the centre's own fast value, which keeps bright details alive.
     float clamped = clamp(slow, min(mean - sigma, fast), max(mean + sigma, fast));
@@ -176,25 +213,22 @@ Lumas bound(int lobe, bool isSpecular, float slow, Moments m)
 
     float present = m.mean[2 * lobe + 1];
     float push = 10.0 * g.relaxAntilag.x * abs(fast - slow) * pull * (isSpecular ? 0.33 : 1.0);
-    Lumas result = Lumas(moveTowards(clamped, present, push), moveTowards(fast, present, push));
-
-    float noise = g.relaxAntilag.y * m.sigma[2 * lobe] + g.relaxAntilag.z * m.sigma[2 * lobe + 1];
-    float excess = max(abs(result.slow - present) - noise, 0.0);
-    float amount = saturate(g.relaxAntilag.w * excess / (kEps + max(result.slow, present) + noise));
-    amount *= isSpecular ? 0.5 : 1.0;
-    if (kHasAntiFirefly) noisy = min(noisy, present + m.sigma[2 * lobe + 1]);
-    return Lumas(mix(result.slow, noisy, amount), mix(result.fast, noisy, amount));
+    float lit = relight(slow, lobe, m);
+    return Lumas(mix(moveTowards(clamped, present, push), lit, amount),
+                 mix(moveTowards(fast, present, push), lit, amount));
 }
 
 // Returns the fast history to keep. The variance stays while the mean moves.
-float boundSignal(inout Signal signal, int lobe, bool isSpecular, float n, Moments m)
+float boundSignal(inout Signal signal, int lobe, bool isSpecular, inout float n, Moments m)
 {
     float slow = luma(signal);
     if (n < g.historyFixFrameNum) return slow; // what was just filled in is the best there is
-    Lumas lumas = bound(lobe, isSpecular, slow, m);
-    float variance = signal.value.w * slow * slow;
+    float amount = changeAmount(lobe, m);
+    Lumas lumas = bound(lobe, isSpecular, slow, amount, m);
+    float variance = signal.value.w * square(max(slow, lumas.slow));
     signal = changeLuma(signal, lumas.slow);
     signal.value.w = min(variance / max(square(lumas.slow), 1e-12), NRD_FP16_MAX);
+    n = mix(n, min(n, kRelitFrameNum), amount);
     return lumas.fast;
 }
 

@@ -78,6 +78,9 @@ Lags measureLags(nrd::Denoiser denoiser, Reaction reaction)
         picture.push_back(pictureError(out, means, isInRange));
         swept.push_back(pictureError(out, means, isSwept));
     }
+    if (getenv("DBG") && reaction.hasAntilag && reaction.hasClamping)
+        for (int f : {0,1,2,3,4,5,6,8,10,15,20,30,39,40,41,42,43,44,45,46,47,48,50,55,60,70,79,80,81,82,83,84,85,86,87,88,90,95,100,110,119,131,132,133,134,135,136,137,138,140,145,150,160,171})
+            std::printf("%s%d:%.4f/%.4f", f==40||f==80||f==131? "\n":" ", f, picture[size_t(f)], swept[size_t(f)]), f==171?std::printf("\n"):0;
     return {lagOf(picture, 0, kOff), lagOf(picture, kOff, kOn), lagOf(picture, kOn, kEdgeStarts),
             lagOf(swept, kEdgeRests, kEnd)};
 }
