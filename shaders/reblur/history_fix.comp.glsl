@@ -292,16 +292,27 @@ Change measureChange()
     return Change(slow / count, mean, sqrt(max(squares / count - mean * mean, vec2(0.0))));
 }
 
-// Where means over 5x5 pixels, in which detail cancels out, differ by more than noise explains, light has changed: the
-// history is dimmed or raised as a whole. A box round the short history alone would let it follow only slowly.
-float relight(float luma, int lobe, Change change, float n)
+// How far the two histories differ by more than noise explains. Detail cancels out in means of differences.
+float changeAmount(int lobe, Change change, float n)
 {
-    if (n < g.historyFixFrameNum || g.maxFastAccumulatedFrameNum.x >= g.maxAccumulatedFrameNum.x) return luma;
-    float noise = 0.5 * g.antilagSigmaScale * change.sigma[lobe] + kEps;
-    float amount = saturate(abs(change.mean[lobe]) / noise - 1.0);
-    float before = change.slow[lobe], now = before + change.mean[lobe];
-    float lit = now < before ? luma * max(now, 0.0) / before : luma + change.mean[lobe];
-    return mix(luma, lit, amount);
+    if (n < g.historyFixFrameNum || g.maxFastAccumulatedFrameNum.x >= g.maxAccumulatedFrameNum.x) return 0.0;
+    float noise = 0.35 * g.antilagSigmaScale * change.sigma[lobe] + kEps;
+    return saturate(abs(change.mean[lobe]) / noise - 1.0);
+}
+
+// Under light that has changed by so much of `before`: dimmed or raised as a whole, so that detail stays.
+float relight(float luma, float before, float change)
+{
+    return change < 0.0 ? luma * max(1.0 + change / max(before, kEps), 0.0) : luma + change;
+}
+
+// A box round the fast history alone would let the long one follow only slowly. The fast one is as far behind the light
+// as the long one is behind it: it goes on by a part of that, which damps the approach critically for six frames.
+void followLight(inout float luma, inout float fast, int lobe, Change change, float n)
+{
+    float moved = change.mean[lobe] * changeAmount(lobe, change, n), before = change.slow[lobe];
+    luma = relight(luma, before, moved);
+    fast = relight(fast, before + change.mean[lobe], 0.4 * moved);
 }
 
 // own: what the fast history of this pixel was loaded with. Returns what it becomes.
@@ -321,7 +332,7 @@ vec2 clampSignals(inout Signal signals[2], Pixel p, vec2 n, vec2 own, vec2 share
     {
         bool isSpecular = HAS_SPECULAR == 1 && i == kSpecularChannel;
         float scale = isStrand && isSpecular ? max(g.fastClampSigmaScale, 3.0) : g.fastClampSigmaScale;
-        if (!kIsBounded) lumas[i] = relight(lumas[i], i, change, n[i]);
+        if (!kIsBounded) followLight(lumas[i], fast[i], i, change, n[i]);
         signals[i] = changeLuma(signals[i], fastClamp(lumas[i], near, i, n[i], scale));
     }
     return fast;
