@@ -185,11 +185,15 @@ float pullOf(float slow, float clamped, float fast)
 
 // How far the two histories differ by more than noise. Detail is in both of them, so what is compared are means of
 // differences over 5x5 pixels, in their standard errors; neighbours that share samples count as 16 pixels.
-float changeAmount(int lobe, Moments m)
+float changeAmount(int lobe, bool isSpecular, Moments m)
 {
-    float change = abs(m.mean[2 * lobe] - m.slow[lobe]);
-    float noise = 0.25 * (g.relaxAntilag.y * m.changeSigma[lobe] + g.relaxAntilag.z * m.sigma[2 * lobe + 1]) + kEps;
-    return saturate(2.0 * g.relaxAntilag.w * max(change / noise - 1.0, 0.0));
+    // A fast history as long as the long one never differs from it: the noisy present is all there is then.
+    int i = isSpecular ? 1 : 0;
+    bool isFast = g.maxFastAccumulatedFrameNum[i] < g.maxAccumulatedFrameNum[i];
+    int now = 2 * lobe + (isFast ? 0 : 1);
+    float sigma = isFast ? m.changeSigma[lobe] : m.sigma[now];
+    float noise = 0.25 * (g.relaxAntilag.y * sigma + g.relaxAntilag.z * m.sigma[2 * lobe + 1]) + kEps;
+    return saturate(2.0 * g.relaxAntilag.w * max(abs(m.mean[now] - m.slow[lobe]) / noise - 1.0, 0.0));
 }
 
 // A history under the light that its neighbourhood has now: dimmed or raised as a whole, so that detail stays and noise
@@ -223,7 +227,7 @@ float boundSignal(inout Signal signal, int lobe, bool isSpecular, inout float n,
 {
     float slow = luma(signal);
     if (n < g.historyFixFrameNum) return slow; // what was just filled in is the best there is
-    float amount = changeAmount(lobe, m);
+    float amount = changeAmount(lobe, isSpecular, m);
     Lumas lumas = bound(lobe, isSpecular, slow, amount, m);
     float variance = signal.value.w * square(max(slow, lumas.slow));
     signal = changeLuma(signal, lumas.slow);
