@@ -296,7 +296,7 @@ Change measureChange()
 float changeAmount(int lobe, Change change, float n)
 {
     if (n < g.historyFixFrameNum || g.maxFastAccumulatedFrameNum.x >= g.maxAccumulatedFrameNum.x) return 0.0;
-    float noise = 0.25 * g.antilagSigmaScale * change.sigma[lobe] + kEps;
+    float noise = 0.45 * g.antilagSigmaScale * change.sigma[lobe] + kEps;
     return saturate(abs(change.mean[lobe]) / noise - 1.0);
 }
 

@@ -183,17 +183,22 @@ float pullOf(float slow, float clamped, float fast)
     return abs(way) > kEps ? saturate((clamped - slow) / way) : 0.0;
 }
 
-// How far the two histories differ by more than noise. Detail is in both of them, so what is compared are means of
-// differences over 5x5 pixels, in their standard errors; neighbours that share samples count as 16 pixels.
-float changeAmount(int lobe, bool isSpecular, Moments m)
+// How far a difference of means is more than noise, by its standard error; neighbours that share samples count as 16 of
+// the 25 pixels.
+float excessAmount(float difference, float sigma, float noisySigma)
 {
-    // A fast history as long as the long one never differs from it: the noisy present is all there is then.
-    int i = isSpecular ? 1 : 0;
-    bool isFast = g.maxFastAccumulatedFrameNum[i] < g.maxAccumulatedFrameNum[i];
-    int now = 2 * lobe + (isFast ? 0 : 1);
-    float sigma = isFast ? m.changeSigma[lobe] : m.sigma[now];
-    float noise = 0.25 * (g.relaxAntilag.y * sigma + g.relaxAntilag.z * m.sigma[2 * lobe + 1]) + kEps;
-    return saturate(2.0 * g.relaxAntilag.w * max(abs(m.mean[now] - m.slow[lobe]) / noise - 1.0, 0.0));
+    float noise = 0.25 * (g.relaxAntilag.y * sigma + g.relaxAntilag.z * noisySigma) + kEps;
+    return saturate(2.0 * g.relaxAntilag.w * max(abs(difference) / noise - 1.0, 0.0));
+}
+
+// By how much light has changed, as means of 5x5 pixels show it, in which detail cancels out. A great change shows in
+// the noisy present at once, a smaller one in the fast history later. Samples vary as much as they did over time,
+// sampleSigma: where rare ones carry the light, a window without any is dark and calm, and no change.
+float changeAmount(int lobe, float sampleSigma, Moments m)
+{
+    float noisySigma = max(m.sigma[2 * lobe + 1], sampleSigma);
+    return max(excessAmount(m.mean[2 * lobe] - m.slow[lobe], m.changeSigma[lobe], m.sigma[2 * lobe + 1]),
+               excessAmount(m.mean[2 * lobe + 1] - m.slow[lobe], noisySigma, noisySigma));
 }
 
 // A history under the light that its neighbourhood has now: dimmed or raised as a whole, so that detail stays and noise
@@ -227,7 +232,7 @@ float boundSignal(inout Signal signal, int lobe, bool isSpecular, inout float n,
 {
     float slow = luma(signal);
     if (n < g.historyFixFrameNum) return slow; // what was just filled in is the best there is
-    float amount = changeAmount(lobe, isSpecular, m);
+    float amount = changeAmount(lobe, slow * sqrt(signal.value.w), m);
     Lumas lumas = bound(lobe, isSpecular, slow, amount, m);
     float variance = signal.value.w * square(max(slow, lumas.slow));
     signal = changeLuma(signal, lumas.slow);

@@ -42,6 +42,13 @@ struct Lags
     Lag start, off, on, edge;
 };
 
+// Of a region, by frame.
+struct Errors
+{
+    std::vector<double> shown;
+    std::vector<double> unchanged; // of the picture before, which is what a denoiser shows that does not react
+};
+
 // Frames shown with an error of `bound` or more, before the first with less.
 int framesAbove(double bound, const std::vector<double>& errors, int change, int next)
 {
@@ -50,12 +57,13 @@ int framesAbove(double bound, const std::vector<double>& errors, int change, int
     return frame - change;
 }
 
-Lag lagOf(const std::vector<double>& errors, int change, int next)
+Lag lagOf(const Errors& errors, int change, int next)
 {
     double settled = 0.0;
-    for (int frame = next - kSettledFrames; frame < next; frame++) settled += errors[size_t(frame)] / kSettledFrames;
-    return {framesAbove(1.25 * settled, errors, change, next),
-            framesAbove(0.25 * errors[size_t(change)], errors, change, next)};
+    for (int frame = next - kSettledFrames; frame < next; frame++)
+        settled += errors.shown[size_t(frame)] / kSettledFrames;
+    return {framesAbove(1.25 * settled, errors.shown, change, next),
+            framesAbove(0.25 * errors.unchanged[size_t(change)], errors.shown, change, next)};
 }
 
 Lags measureLags(nrd::Denoiser denoiser, Reaction reaction)
@@ -69,13 +77,17 @@ Lags measureLags(nrd::Denoiser denoiser, Reaction reaction)
         const int x = int(i) % kWidth;
         return isInRange(i) && x >= kEdgeBegin && x < edgeAt(kEnd);
     };
-    std::vector<double> picture, swept;
+    Errors picture, swept;
+    quality::Signal last(kPixelCount);
     for (int frame = 0; frame < kEnd; frame++)
     {
         const Means means = meansAt(frame);
         const quality::Signal& out = denoiseLobe(harness, denoiser, guides, makePathNoise(means, unsigned(frame)));
-        picture.push_back(pictureError(out, means, isInRange));
-        swept.push_back(pictureError(out, means, isSwept));
+        picture.shown.push_back(pictureError(out, means, isInRange));
+        picture.unchanged.push_back(pictureError(last, means, isInRange));
+        swept.shown.push_back(pictureError(out, means, isSwept));
+        swept.unchanged.push_back(pictureError(last, means, isSwept));
+        last = out;
     }
     return {lagOf(picture, 0, kOff), lagOf(picture, kOff, kOn), lagOf(picture, kOn, kEdgeStarts),
             lagOf(swept, kEdgeRests, kEnd)};
