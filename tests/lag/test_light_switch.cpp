@@ -124,10 +124,10 @@ struct Limit
 // history as its noise would ask for blur the picture. REBLUR moreover sees a change only through its fast history of
 // seven frames; RELAX keeps the noisy luma as well. What holds is that the change itself is mostly gone soon.
 constexpr Limit kLimits[] = {
-    {nrd::Denoiser::REBLUR_DIFFUSE, 26, 14},
-    {nrd::Denoiser::REBLUR_SPECULAR, 26, 14},
-    {nrd::Denoiser::RELAX_DIFFUSE, 21, 4},
-    {nrd::Denoiser::RELAX_SPECULAR, 27, 8},
+    {nrd::Denoiser::REBLUR_DIFFUSE, 27, 15},
+    {nrd::Denoiser::REBLUR_SPECULAR, 27, 15},
+    {nrd::Denoiser::RELAX_DIFFUSE, 18, 4},
+    {nrd::Denoiser::RELAX_SPECULAR, 26, 6},
 };
 
 void checkDenoiser(const Limit& limit)
