@@ -121,7 +121,7 @@ struct ReblurSettings
 
     CheckerboardMode checkerboardMode = CheckerboardMode::OFF; // orientation of diffuse; specular is the opposite
     HitDistanceReconstructionMode hitDistanceReconstructionMode = HitDistanceReconstructionMode::OFF;
-    bool enableAntiFirefly = true;
+    bool enableAntiFirefly = true; // what one path in thousands finds; without pre-pass less sure of what that is
     bool usePrepassOnlyForSpecularMotionEstimation = false;
     bool returnHistoryLengthInsteadOfOcclusion = false; // colour only
     // For debugging: no filter but the reprojected mean of up to maxAccumulatedFrameNum frames.
@@ -161,7 +161,7 @@ struct RelaxSettings
 
     // The wavelet reaches 2^atrousIterationNum - 1 pixels. A difference of luminance counts in standard deviations of
     // the signal: the phis say how many of them lower a weight to 1/e, the minima below what no difference lowers it.
-    uint32_t atrousIterationNum = 5;                        // [2; 8] passes
+    uint32_t atrousIterationNum = 4;                        // [2; 8] passes
     uint32_t spatialVarianceEstimationHistoryThreshold = 3; // [0; 63] frames, shorter histories look at 5x5 pixels
     float diffusePhiLuminance = 2.0f;                       // [0; 100]
     float specularPhiLuminance = 1.0f;                      // [0; 100]
