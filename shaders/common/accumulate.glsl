@@ -8,7 +8,6 @@
 #endif
 #include "checkerboard.glsl"
 
-const float kFireflyHeadroom = 38.0;
 const ivec2 kHalo = ivec2(10, 18); // an 8x16 group and one texel round it
 
 shared vec4 sNormalViewZ[kHalo.y][kHalo.x]; // viewZ: 0 = out of range
@@ -136,11 +135,11 @@ float dataShare(ivec2 pixel, bool isSpecular, float n)
 // How much a limit relative to the history counts: not at all without history.
 float fireflyBlend(float n)
 {
-    float x = 0.1 * n * g.maxBlurRadius;
+    float x = n * g.fireflyStrictness;
     return x / (1.0 + x);
 }
 
-float fireflyScale(float n) { return g.fireflyMinScale + kFireflyHeadroom / (n + 1.0); }
+float fireflyScale(float n) { return g.fireflyMinScale + g.fireflyHeadroom / (n + 1.0); }
 
 Signal withoutVariance(Signal signal) { return Signal(vec4(signal.value.xyz, 0.0), signal.axis); }
 
@@ -187,7 +186,8 @@ float mixFast(float history, float signal, float weight)
     return weight == 1.0 ? signal : mix(history, signal, weight);
 }
 
-// Otherwise blotches travel over the picture during rotation at high frame rates.
+// Of the fast history: otherwise blotches travel over the picture during rotation at high frame rates. Of the sample
+// that antilag moves towards: it may be a firefly.
 float limitFast(float fast, float historyLuma, float n)
 {
     return kIsBounded ? fast : mix(fast, min(fast, historyLuma * 4.0 * fireflyScale(n)), fireflyBlend(n));

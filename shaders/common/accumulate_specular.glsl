@@ -224,7 +224,7 @@ LobeResult accumulateSpecular(Surface s, SurfaceTrack surface)
     float fastHistory = fetchBilinear(gIn_Fast, read.origin, read.weights, lastPrevTexel())[kSpecularChannel];
     float fastWeight = specularFastWeight(s, n, trust, share);
     result.fast = limitFast(mixFast(fastHistory, luma(signal), fastWeight), luma(history), n);
-    result.noisy = luma(signal);
+    result.noisy = limitFast(luma(signal), luma(history), n);
     result.stabHistory = readStabilized(kSpecularChannel, read);
     float valid = mix(dot(surface.weights, vec4(1.0)), dot(image.weights, vec4(1.0)), amount);
     result.stabWeight = isHistoryReset() ? 0.0 : sqrt(saturate(valid));

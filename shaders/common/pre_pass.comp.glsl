@@ -5,7 +5,8 @@
 #include "spatial_filter.glsl"
 #include "checkerboard.glsl"
 
-#define FIRST_OUT (3 + SIGNAL_NUM)
+#define HAS_SPREAD (1 - IS_BOUNDED)
+#define FIRST_OUT (3 + SIGNAL_NUM + 2 * HAS_SPREAD)
 layout(local_size_x = 16, local_size_y = 16) in;
 layout(set = SET_RESOURCES, binding = 0) uniform texture2D gIn_Tiles;
 layout(set = SET_RESOURCES, binding = 1) uniform texture2D gIn_ViewZ;
@@ -28,6 +29,12 @@ layout(set = SET_RESOURCES, binding = FIRST_OUT + 2 * LOBE_NUM - 1) uniform writ
 #if IS_BOUNDED == 0
 layout(set = SET_RESOURCES, binding = FIRST_OUT + SIGNAL_NUM) uniform writeonly image2D gOut_TrackNew;
 #endif
+#endif
+#if HAS_SPREAD
+layout(set = SET_RESOURCES, binding = 3 + SIGNAL_NUM) uniform texture2D gIn_Cut;
+layout(set = SET_RESOURCES, binding = 4 + SIGNAL_NUM) uniform texture2D gIn_PrevSpread;
+layout(set = SET_RESOURCES, binding = FIRST_OUT + SIGNAL_NUM + HAS_SPECULAR) uniform writeonly image2D gOut_Spread;
+#include "firefly_cap.glsl"
 #endif
 
 #include "complete_input.glsl"
@@ -99,10 +106,11 @@ struct Filtered
     float tracking; // world units, 0 = unknown
 };
 
-Filtered prefilter(texture2D t, texture2D second, Pixel p, Lobe lobe, bool isSpecular, Centre centre)
+Filtered prefilter(texture2D t, texture2D second, Pixel p, Lobe lobe, bool isSpecular, Centre centre,
+                   float maxLuma)
 {
     float hitDist = getHitDist(centre.hitDist, p.viewZ, lobe.roughness);
-    Signal own = centre.signal;
+    Signal own = capLuma(centre.signal, maxLuma);
     own.value.w = centre.hitDist;
     if (kIsOcclusion) own.value.x = centre.hitDist;
     if (lobe.maxRadius == 0.0 && centre.isValid) return Filtered(own, hitDist);
@@ -122,7 +130,7 @@ Filtered prefilter(texture2D t, texture2D second, Pixel p, Lobe lobe, bool isSpe
         uv = snapToData(uv, isSpecular, i, isInside);
         Tap tap = readTap(gIn_ViewZ, gIn_NormalRoughness, p, lobe, w, uv, kTaps[i].z);
         bool isTapValid;
-        Signal value = readInput(t, second, inputTexel(tap.pixel), isTapValid);
+        Signal value = capLuma(readInput(t, second, inputTexel(tap.pixel), isTapValid), maxLuma);
         float share = isTapValid && isInside ? tap.weight : 0.0;
         float affinity = hitDistWeight(w, centre.hitDist, value.value.w);
         if (isSpecular)
@@ -141,23 +149,65 @@ Filtered prefilter(texture2D t, texture2D second, Pixel p, Lobe lobe, bool isSpe
     return Filtered(resolveTaps(sums, own, centre), tracking);
 }
 
+#if HAS_SPREAD
+float sampleLuma(texture2D t, ivec2 pixel, bool isSpecular)
+{
+    if (!hasData(pixel, isSpecular)) return kNoLuma;
+    bool isValid;
+    vec4 value = sanitize(texelFetch(t, inputTexel(pixel), 0), isValid);
+    return isValid ? value.x : kNoLuma;
+}
+
+// Per lobe. Has barriers.
+vec2 fireflyCap(ivec2 pixel, bool isUsed)
+{
+    if (!kHasAntiFirefly) return vec2(kNoCap);
+    vec2 lumas = vec2(kNoLuma);
+#if HAS_DIFFUSE
+    if (isUsed) lumas.x = sampleLuma(gIn_Diffuse, pixel, false);
+#endif
+#if HAS_SPECULAR
+    if (isUsed) lumas[kSpecularChannel] = sampleLuma(gIn_Specular, pixel, true);
+#endif
+    ivec2 tile = ivec2(gl_WorkGroupID.xy);
+    Samples samples = gatherTile(lumas);
+    vec2 cap = findCap(tile, samples);
+    if (gl_LocalInvocationIndex == 0u) storeSpread(tile, samples, cap);
+    return cap;
+}
+#endif
+
 void main()
 {
     ivec2 position = ivec2(gl_GlobalInvocationID.xy);
-    if (texelFetch(gIn_Tiles, ivec2(gl_WorkGroupID.xy), 0).x > 0.5 || !isInRect(position)) return;
-    float viewZ = decodeViewZ(texelFetch(gIn_ViewZ, guideTexel(position), 0).x);
-    if (!isInRange(viewZ)) return;
+    if (texelFetch(gIn_Tiles, ivec2(gl_WorkGroupID.xy), 0).x > 0.5) // the same for the whole group
+    {
+#if HAS_SPREAD
+        if (kHasAntiFirefly && gl_LocalInvocationIndex == 0u)
+            imageStore(gOut_Spread, ivec2(gl_WorkGroupID.xy), vec4(0.0));
+#endif
+        return;
+    }
+    float viewZ = decodeViewZ(texelFetch(gIn_ViewZ, guideTexel(clampToRect(position)), 0).x);
+    bool isUsed = isInRect(position) && isInRange(viewZ);
+#if HAS_SPREAD
+    vec2 cap = fireflyCap(position, isUsed);
+#else
+    vec2 cap = vec2(1.0);
+#endif
+    if (!isUsed) return;
     Pixel p = makePixel(position, viewZ, decodeGuide(texelFetch(gIn_NormalRoughness, guideTexel(position), 0)));
 #if HAS_DIFFUSE
     Lobe diffuse = Lobe(1.0, g.minMaterialForDiffuse, kIsOcclusion ? 0.0 : g.diffusePrepassRadius);
     Centre diffuseCentre = completeCentre(gIn_Diffuse, gIn_DiffuseSh, p, diffuse, false, position);
-    Filtered filteredDiffuse = prefilter(gIn_Diffuse, gIn_DiffuseSh, p, diffuse, false, diffuseCentre);
+    Filtered filteredDiffuse = prefilter(gIn_Diffuse, gIn_DiffuseSh, p, diffuse, false, diffuseCentre, cap.x);
     storeSignal(gOut_Diffuse, gOut_DiffuseSh, position, filteredDiffuse.signal);
 #endif
 #if HAS_SPECULAR
+    const int c = kSpecularChannel;
     Lobe specular = Lobe(p.guide.roughness, g.minMaterialForSpecular, kIsOcclusion ? 0.0 : g.specularPrepassRadius);
     Centre specularCentre = completeCentre(gIn_Specular, gIn_SpecularSh, p, specular, true, position);
-    Filtered filteredSpecular = prefilter(gIn_Specular, gIn_SpecularSh, p, specular, true, specularCentre);
+    Filtered filteredSpecular = prefilter(gIn_Specular, gIn_SpecularSh, p, specular, true, specularCentre, cap[c]);
     storeSignal(gOut_Specular, gOut_SpecularSh, position, filteredSpecular.signal);
 #if IS_BOUNDED == 0
     imageStore(gOut_TrackNew, position, vec4(min(filteredSpecular.tracking, kTrackingMax)));

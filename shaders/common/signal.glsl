@@ -27,6 +27,8 @@ Signal changeLuma(Signal s, float newLuma)
     return Signal(vec4(s.value.xyz * scale, kIsDirectional ? newLuma : s.value.w), s.axis * scale);
 }
 
+Signal capLuma(Signal s, float cap) { return luma(s) > cap ? changeLuma(s, cap) : s; }
+
 // Selected, not multiplied: what a weight of 0 rejects may hold anything.
 Signal addWeighted(Signal sum, Signal s, float weight)
 {

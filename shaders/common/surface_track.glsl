@@ -4,6 +4,7 @@
 #define SURFACE_TRACK_GLSL
 #include "motion.glsl"
 #include "history.glsl"
+#include "history_reset.glsl"
 
 struct Surface
 {
@@ -35,12 +36,6 @@ struct SurfaceTrack
     float quality;
     vec2 n; // frames, diffuse and specular
 };
-
-// Announced by the application or seen by the device.
-bool isHistoryReset()
-{
-    return g.isHistoryReset != 0u || (g.isCutDetected != 0u && texelFetch(gIn_Cut, ivec2(0), 0).x > 0.5);
-}
 
 ivec2 lastPrevTexel() { return ivec2(g.rectSizePrev) - 1; }
 

@@ -98,7 +98,7 @@ LobeResult accumulateDiffuse(Surface s, SurfaceTrack surface)
     float fastHistory = fetchBilinear(gIn_Fast, read.origin, read.weights, lastPrevTexel()).x;
     float fastWeight = newSampleWeight(min(result.n, g.maxFastAccumulatedFrameNum.x)) * share;
     result.fast = limitFast(mixFast(fastHistory, luma(signal), fastWeight), luma(history), result.n);
-    result.noisy = luma(signal);
+    result.noisy = limitFast(luma(signal), luma(history), result.n);
     result.stabHistory = readStabilized(0, read);
     result.stabWeight = isHistoryReset() ? 0.0 : sqrt(saturate(dot(surface.weights, vec4(1.0))));
     return result;

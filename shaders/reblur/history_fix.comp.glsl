@@ -39,6 +39,19 @@ const float kAntiFireflySigmaScale = 2.0;
 const float kInvalid = -1.0; // lumas are not negative
 
 shared vec2 sFast[kHalo.y][kHalo.x]; // per lobe
+shared vec2 sSlow[kHalo.y][kHalo.x];
+
+vec2 slowLumas(ivec2 pixel)
+{
+    vec2 lumas = vec2(0.0);
+#if HAS_DIFFUSE
+    lumas.x = texelFetch(gIn_Diffuse, pixel, 0).x;
+#endif
+#if HAS_SPECULAR
+    lumas[kSpecularChannel] = texelFetch(gIn_Specular, pixel, 0).x;
+#endif
+    return lumas;
+}
 
 void loadFast(ivec2 group)
 {
@@ -49,6 +62,7 @@ void loadFast(ivec2 group)
         ivec2 inside = clampToRect(pixel);
         bool isUsed = pixel == inside && isInRange(decodeViewZ(texelFetch(gIn_ViewZ, guideTexel(inside), 0).x));
         sFast[local.y][local.x] = isUsed ? texelFetch(gIn_Fast, inside, 0).xy : vec2(kInvalid);
+        if (!kIsBounded) sSlow[local.y][local.x] = slowLumas(inside);
     }
 }
 
@@ -250,6 +264,57 @@ float fastClamp(float luma, Moments m, int lobe, float n, float sigmaScale)
     return mix(clampTo(luma, m, lobe, sigmaScale), luma, 1.0 / (1.0 + 2.0 * n * isOn));
 }
 
+// Of the long history, 5x5, and what the fast one differs from it by; only of pixels in range.
+struct Change
+{
+    vec2 slow;
+    vec2 mean;
+    vec2 sigma;
+};
+
+Change measureChange()
+{
+    ivec2 local = ivec2(gl_LocalInvocationID.xy) + kRadius - 2;
+    vec2 slow = vec2(0.0), mean = vec2(0.0), squares = vec2(0.0);
+    float count = 0.0;
+    for (int i = 0; i < 25; i++)
+    {
+        ivec2 at = local + ivec2(i % 5, i / 5);
+        vec2 fast = sFast[at.y][at.x];
+        if (fast.x == kInvalid) continue;
+        vec2 difference = fast - sSlow[at.y][at.x];
+        slow += sSlow[at.y][at.x];
+        mean += difference;
+        squares += difference * difference;
+        count += 1.0;
+    }
+    mean /= count;
+    return Change(slow / count, mean, sqrt(max(squares / count - mean * mean, vec2(0.0))));
+}
+
+// How far the two histories differ by more than noise explains. Detail cancels out in means of differences.
+float changeAmount(int lobe, Change change, float n)
+{
+    if (n < g.historyFixFrameNum || g.maxFastAccumulatedFrameNum.x >= g.maxAccumulatedFrameNum.x) return 0.0;
+    float noise = 0.45 * g.antilagSigmaScale * change.sigma[lobe] + kEps;
+    return saturate(abs(change.mean[lobe]) / noise - 1.0);
+}
+
+// Under light that has changed by so much of `before`: dimmed or raised as a whole, so that detail stays.
+float relight(float luma, float before, float change)
+{
+    return change < 0.0 ? luma * max(1.0 + change / max(before, kEps), 0.0) : luma + change;
+}
+
+// A box round the fast history alone would let the long one follow only slowly. The fast one is as far behind the light
+// as the long one is behind it: it goes on by a part of that, which damps the approach critically for six frames.
+void followLight(inout float luma, inout float fast, int lobe, Change change, float n)
+{
+    float moved = change.mean[lobe] * changeAmount(lobe, change, n), before = change.slow[lobe];
+    luma = relight(luma, before, moved);
+    fast = relight(fast, before + change.mean[lobe], 0.4 * moved);
+}
+
 // own: what the fast history of this pixel was loaded with. Returns what it becomes.
 vec2 clampSignals(inout Signal signals[2], Pixel p, vec2 n, vec2 own, vec2 share)
 {
@@ -261,11 +326,13 @@ vec2 clampSignals(inout Signal signals[2], Pixel p, vec2 n, vec2 own, vec2 share
         for (int i = 0; i < LOBE_NUM; i++) lumas[i] = clampTo(lumas[i], wide, i, kAntiFireflySigmaScale);
     }
     Moments near = nearMoments(fast);
+    Change change = kIsBounded ? Change(vec2(0.0), vec2(0.0), vec2(0.0)) : measureChange();
     bool isStrand = kHasMaterialTest && p.guide.materialID == g.strandMaterialID;
     for (int i = 0; i < LOBE_NUM; i++)
     {
         bool isSpecular = HAS_SPECULAR == 1 && i == kSpecularChannel;
         float scale = isStrand && isSpecular ? max(g.fastClampSigmaScale, 3.0) : g.fastClampSigmaScale;
+        if (!kIsBounded) followLight(lumas[i], fast[i], i, change, n[i]);
         signals[i] = changeLuma(signals[i], fastClamp(lumas[i], near, i, n[i], scale));
     }
     return fast;

@@ -35,8 +35,10 @@ layout(set = SET_RESOURCES, binding = FIRST_OUT + SIGNAL_NUM + 3) uniform writeo
 const int kRadius = 2;
 const ivec2 kHalo = ivec2(8 + 2 * kRadius, 16 + 2 * kRadius);
 const float kInvalid = -1.0; // lumas are not negative
+const float kRelitFrameNum = 4.0; // what a mean over 5x5 noisy pixels is worth
 
 shared vec4 sLumas[kHalo.y][kHalo.x]; // fast and noisy of one lobe, then of the other
+shared vec2 sSlow[kHalo.y][kHalo.x];  // per lobe
 
 void loadLumas(ivec2 group)
 {
@@ -47,6 +49,14 @@ void loadLumas(ivec2 group)
         ivec2 inside = clampToRect(pixel);
         bool isUsed = pixel == inside && isInRange(decodeViewZ(texelFetch(gIn_ViewZ, guideTexel(inside), 0).x));
         sLumas[local.y][local.x] = isUsed ? texelFetch(gIn_Fast, inside, 0) : vec4(kInvalid);
+        vec2 slow = vec2(0.0);
+#if HAS_DIFFUSE
+        slow.x = texelFetch(gIn_Diffuse, inside, 0).x;
+#endif
+#if HAS_SPECULAR
+        slow[kSpecularChannel] = texelFetch(gIn_Specular, inside, 0).x;
+#endif
+        sSlow[local.y][local.x] = slow;
     }
 }
 
@@ -54,6 +64,8 @@ struct Moments
 {
     vec4 mean;
     vec4 sigma;
+    vec2 slow;        // mean of the long history, per lobe
+    vec2 changeSigma; // of what the short history differs from it by
 };
 
 // 5x5; what is out of range counts as the centre. Two passes: a variance from sums of squares has no digits left on
@@ -62,20 +74,28 @@ Moments measureLumas()
 {
     ivec2 local = ivec2(gl_LocalInvocationID.xy);
     vec4 centre = sLumas[local.y + kRadius][local.x + kRadius];
+    vec2 centreSlow = sSlow[local.y + kRadius][local.x + kRadius];
     vec4 mean = vec4(0.0), variance = vec4(0.0);
+    vec2 slow = vec2(0.0), changeVariance = vec2(0.0);
     for (int i = 0; i < 25; i++)
     {
         vec4 value = sLumas[local.y + i / 5][local.x + i % 5];
-        mean += value.x == kInvalid ? vec4(0.0) : value - centre;
+        bool isUsed = value.x != kInvalid;
+        mean += isUsed ? value - centre : vec4(0.0);
+        slow += isUsed ? sSlow[local.y + i / 5][local.x + i % 5] - centreSlow : vec2(0.0);
     }
     mean = centre + mean / 25.0;
+    slow = centreSlow + slow / 25.0;
     for (int i = 0; i < 25; i++)
     {
         vec4 value = sLumas[local.y + i / 5][local.x + i % 5];
-        vec4 difference = (value.x == kInvalid ? centre : value) - mean;
+        bool isUsed = value.x != kInvalid;
+        vec4 difference = (isUsed ? value : centre) - mean;
+        vec2 slowDifference = (isUsed ? sSlow[local.y + i / 5][local.x + i % 5] : centreSlow) - slow;
         variance += difference * difference;
+        changeVariance += (difference.xz - slowDifference) * (difference.xz - slowDifference);
     }
-    return Moments(mean, sqrt(variance / 25.0));
+    return Moments(mean, sqrt(variance / 25.0), slow, sqrt(changeVariance / 25.0));
 }
 
 ivec2 mirrorPixel(ivec2 pixel)
@@ -123,7 +143,7 @@ Signal fixHistory(texture2D t, texture2D second, Pixel p, Lobe lobe, bool isSpec
 // Rank-conditioned rank selection over 3x3: what is brighter, or darker, than all of its like is an outlier.
 Signal suppressFirefly(texture2D t, Pixel p, Lobe lobe, ivec2 position, Signal signal)
 {
-    float low = 1e30, high = -1.0;
+    float low = 1e30, high = -1.0, highest = -1.0;
     for (int i = 0; i < 9; i++)
     {
         ivec2 pixel = position + ivec2(i % 3, i / 3) - 1;
@@ -134,12 +154,15 @@ Signal suppressFirefly(texture2D t, Pixel p, Lobe lobe, ivec2 position, Signal s
         bool isLike = isInRange(viewZ) && dot(guide.N, p.guide.N) > 0.99 &&
                       abs(dot(p.Nv, Xv - p.Xv)) < g.planeDistanceSensitivity * p.frustumSize &&
                       isSameMaterial(p.guide.materialID, guide.materialID, lobe.minMaterial);
-        if (!isLike) continue;
         float Y = texelFetch(t, pixel, 0).x;
+        if (isInRange(viewZ)) highest = max(highest, Y);
+        if (!isLike) continue;
         low = min(low, Y);
         high = max(high, Y);
     }
-    return high < 0.0 ? signal : changeLuma(signal, clamp(luma(signal), low, high));
+    // Without its like a pixel has nothing that would spread a firefly either.
+    if (high < 0.0) return highest < 0.0 ? signal : capLuma(signal, highest);
+    return changeLuma(signal, clamp(luma(signal), low, high));
 }
 
 struct Lumas
@@ -160,10 +183,36 @@ float pullOf(float slow, float clamped, float fast)
     return abs(way) > kEps ? saturate((clamped - slow) / way) : 0.0;
 }
 
-Lumas bound(int lobe, bool isSpecular, float slow, Moments m)
+// How far a difference of means is more than noise, by its standard error; neighbours that share samples count as 16 of
+// the 25 pixels.
+float excessAmount(float difference, float sigma, float noisySigma)
+{
+    float noise = 0.25 * (g.relaxAntilag.y * sigma + g.relaxAntilag.z * noisySigma) + kEps;
+    return saturate(2.0 * g.relaxAntilag.w * max(abs(difference) / noise - 1.0, 0.0));
+}
+
+// By how much light has changed, as means of 5x5 pixels show it, in which detail cancels out. A great change shows in
+// the noisy present at once, a smaller one in the fast history later. Samples vary as much as they did over time,
+// sampleSigma: where rare ones carry the light, a window without any is dark and calm, and no change.
+float changeAmount(int lobe, float sampleSigma, Moments m)
+{
+    float noisySigma = max(m.sigma[2 * lobe + 1], sampleSigma);
+    return max(excessAmount(m.mean[2 * lobe] - m.slow[lobe], m.changeSigma[lobe], m.sigma[2 * lobe + 1]),
+               excessAmount(m.mean[2 * lobe + 1] - m.slow[lobe], noisySigma, noisySigma));
+}
+
+// A history under the light that its neighbourhood has now: dimmed or raised as a whole, so that detail stays and noise
+// is that of a mean over 5x5 pixels.
+float relight(float slow, int lobe, Moments m)
+{
+    float before = m.slow[lobe], now = m.mean[2 * lobe + 1];
+    return now < before ? slow * now / before : slow + now - before;
+}
+
+Lumas bound(int lobe, bool isSpecular, float slow, float amount, Moments m)
 {
     ivec2 local = ivec2(gl_LocalInvocationID.xy) + kRadius;
-    float fast = sLumas[local.y][local.x][2 * lobe], noisy = sLumas[local.y][local.x][2 * lobe + 1];
+    float fast = sLumas[local.y][local.x][2 * lobe];
     float mean = m.mean[2 * lobe], sigma = m.sigma[2 * lobe] * g.fastClampSigmaScale;
     // Widened to the centre's own fast value, which keeps bright details alive.
     float clamped = clamp(slow, min(mean - sigma, fast), max(mean + sigma, fast));
@@ -173,24 +222,22 @@ Lumas bound(int lobe, bool isSpecular, float slow, Moments m)
 
     float present = m.mean[2 * lobe + 1];
     float push = 10.0 * g.relaxAntilag.x * abs(fast - slow) * pull * (isSpecular ? 0.33 : 1.0);
-    Lumas result = Lumas(moveTowards(clamped, present, push), moveTowards(fast, present, push));
-
-    float noise = g.relaxAntilag.y * m.sigma[2 * lobe] + g.relaxAntilag.z * m.sigma[2 * lobe + 1];
-    float excess = max(abs(result.slow - present) - noise, 0.0);
-    float amount = saturate(g.relaxAntilag.w * excess / (kEps + max(result.slow, present) + noise));
-    amount *= isSpecular ? 0.5 : 1.0;
-    return Lumas(mix(result.slow, noisy, amount), mix(result.fast, noisy, amount));
+    float lit = relight(slow, lobe, m);
+    return Lumas(mix(moveTowards(clamped, present, push), lit, amount),
+                 mix(moveTowards(fast, present, push), lit, amount));
 }
 
 // Returns the fast history to keep. The variance stays while the mean moves.
-float boundSignal(inout Signal signal, int lobe, bool isSpecular, float n, Moments m)
+float boundSignal(inout Signal signal, int lobe, bool isSpecular, inout float n, Moments m)
 {
     float slow = luma(signal);
     if (n < g.historyFixFrameNum) return slow; // what was just filled in is the best there is
-    Lumas lumas = bound(lobe, isSpecular, slow, m);
-    float variance = signal.value.w * slow * slow;
+    float amount = changeAmount(lobe, slow * sqrt(signal.value.w), m);
+    Lumas lumas = bound(lobe, isSpecular, slow, amount, m);
+    float variance = signal.value.w * square(max(slow, lumas.slow));
     signal = changeLuma(signal, lumas.slow);
     signal.value.w = min(variance / max(square(lumas.slow), 1e-12), NRD_FP16_MAX);
+    n = mix(n, min(n, kRelitFrameNum), amount);
     return lumas.fast;
 }
 

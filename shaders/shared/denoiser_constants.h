@@ -58,6 +58,8 @@ struct DenoiserConstants
     float historyFixAlternateStride;
     float fastClampSigmaScale;
     float fireflyMinScale;
+    float fireflyHeadroom;
+    float fireflyStrictness; // how soon with the length of a history a limit relative to it counts
     float antilagSigmaScale;
     float antilagSensitivity;
     float stabilizationStrength;

@@ -1,4 +1,5 @@
-// Rare pixels of 10,000 times the mean: no blob may be seen of them, and the mean stays what it is without them.
+// Rare pixels of 10,000 times the mean: no blob may be seen of them, and the mean stays what it is without them. Light
+// that only one path in hundreds finds is no firefly.
 #include "catch.h"
 #include "picture.h"
 #include "variants.h"
@@ -12,7 +13,7 @@ namespace
 {
 constexpr int kFrames = 64, kWarmUp = 16;
 constexpr float kFirefly = 1e4f; // times the mean
-constexpr unsigned kOneIn = 5000;
+constexpr unsigned kOneIn = 5000, kSparseOneIn = 200;
 constexpr float kMean = 1.0f;
 
 struct Figures
@@ -28,19 +29,50 @@ void addFireflies(quality::Signal& signal, unsigned seed)
         if (rng() % kOneIn == 0) v = glm::vec4(glm::vec3(kFirefly * kMean), v.w);
 }
 
-Figures measureRun(nrd::Denoiser denoiser, bool hasFireflies, bool hasAntiFirefly)
+enum class Input
 {
-    quality::Harness harness(kWidth, kHeight, makeFireflySettings(denoiser, hasAntiFirefly), denoiser);
+    Clean,
+    Fireflies,
+    Sparse
+};
+constexpr const char* kInputNames[] = {"clean", "with fireflies", "sparse"};
+
+struct Run
+{
+    Input input;
+    bool hasAntiFirefly;
+    bool hasPrePass;
+};
+
+// All light in one pixel of many, black otherwise.
+quality::Signal makeSparse(unsigned seed)
+{
+    std::mt19937 rng(seed + 2000000u);
+    quality::Signal signal = makePathNoise(Means(kPixelCount, kMean), seed);
+    for (glm::vec4& v : signal) v = glm::vec4(glm::vec3(rng() % kSparseOneIn == 0 ? kSparseOneIn * kMean : 0.0f), v.w);
+    return signal;
+}
+
+quality::Signal makeInput(Input input, unsigned seed)
+{
+    if (input == Input::Sparse) return makeSparse(seed);
+    quality::Signal noise = makePathNoise(Means(kPixelCount, kMean), seed);
+    if (input == Input::Fireflies) addFireflies(noise, seed);
+    return noise;
+}
+
+Figures measureRun(nrd::Denoiser denoiser, const Run& run)
+{
+    const quality::Settings settings = makeFireflySettings(denoiser, run.hasAntiFirefly, run.hasPrePass);
+    quality::Harness harness(kWidth, kHeight, settings, denoiser);
     const quality::Guides guides =
         quality::renderGuides(quality::makeCamera(0, 0.0f, kWidth, kHeight), kWidth, kHeight);
-    const Means means(kPixelCount, kMean);
     Figures figures;
     double count = 0.0;
     for (int frame = 0; frame < kFrames; frame++)
     {
-        quality::Signal noise = makePathNoise(means, unsigned(frame));
-        if (hasFireflies) addFireflies(noise, unsigned(frame));
-        const quality::Signal& out = denoiseLobe(harness, denoiser, guides, noise);
+        const quality::Signal input = makeInput(run.input, unsigned(frame));
+        const quality::Signal& out = denoiseLobe(harness, denoiser, guides, input);
         if (frame < kWarmUp) continue;
         for (size_t i = 0; i < kPixelCount; i++)
         {
@@ -54,30 +86,48 @@ Figures measureRun(nrd::Denoiser denoiser, bool hasFireflies, bool hasAntiFirefl
     return figures;
 }
 
-Figures printRun(nrd::Denoiser denoiser, bool hasFireflies, bool hasAntiFirefly)
+Figures printRun(nrd::Denoiser denoiser, const Run& run)
 {
-    const Figures f = measureRun(denoiser, hasFireflies, hasAntiFirefly);
-    std::printf("FIGURE %s, %s fireflies, anti-firefly %s: brightest %.3f, mean %.4f of the mean without fireflies\n",
-                nrd::toString(denoiser), hasFireflies ? "with" : "without", hasAntiFirefly ? "on" : "off", f.brightest,
-                f.mean);
+    const Figures f = measureRun(denoiser, run);
+    std::printf("FIGURE %s, %s, anti-firefly %s, pre-pass %s: brightest %.3f, mean %.4f\n", nrd::toString(denoiser),
+                kInputNames[int(run.input)], run.hasAntiFirefly ? "on" : "off", run.hasPrePass ? "on" : "off",
+                f.brightest, f.mean);
     return f;
 }
 } // namespace
 
-// The aims are a mean within 2 % and nothing brighter than twice the mean with fireflies too: T(2) is 0.10 above T(1).
-// Neither is reached yet: the pre-pass spreads a firefly over its neighbourhood before
-// anything limits it. Printed above; checked here is what holds.
-TEST_CASE("anti-firefly dims fireflies, and costs no energy where there are none", "[gpu]")
+// Twice the mean is 0.10 above it in what the eye sees. Without a pre-pass the mean is low with and without fireflies:
+// limits relative to a noisy history cut the tail of the noise too.
+TEST_CASE("with anti-firefly on, fireflies leave no blob and change no mean", "[gpu]")
+{
+    for (const nrd::Denoiser denoiser : kDenoisers)
+    {
+        for (const bool hasPrePass : {true, false})
+        {
+            INFO(nrd::toString(denoiser) << ", pre-pass " << hasPrePass);
+            const Figures clean = printRun(denoiser, {Input::Clean, true, hasPrePass});
+            const Figures with = printRun(denoiser, {Input::Fireflies, true, hasPrePass});
+            CHECK(with.brightest < 2.0);
+            CHECK(std::abs(with.mean / clean.mean - 1.0) < 0.02);
+            if (hasPrePass) CHECK(std::abs(with.mean - 1.0) < 0.02);
+        }
+    }
+}
+
+TEST_CASE("without anti-firefly, fireflies stay", "[gpu]")
+{
+    for (const nrd::Denoiser denoiser : kDenoisers)
+        CHECK(printRun(denoiser, {Input::Fireflies, false, true}).brightest > 10.0);
+}
+
+// Printed for RELAX only: its rank filter takes what stands alone in 3x3 pixels, which is nearly all of such a light.
+TEST_CASE("the anti-firefly of REBLUR leaves most of a light that one path in 200 finds", "[gpu]")
 {
     for (const nrd::Denoiser denoiser : kDenoisers)
     {
         INFO(nrd::toString(denoiser));
-        const Figures clean = printRun(denoiser, false, true);
-        const Figures with = printRun(denoiser, true, true);
-        const Figures off = printRun(denoiser, true, false);
-        if (denoiser != nrd::Denoiser::RELAX_SPECULAR) CHECK(std::abs(clean.mean - 1.0) < 0.02); // -0.0202 there
-        CHECK(clean.brightest < 2.0);
-        CHECK(with.brightest < off.brightest);
-        if (!isRelax(denoiser)) CHECK(with.mean < off.mean);
+        const Figures on = printRun(denoiser, {Input::Sparse, true, true});
+        const Figures off = printRun(denoiser, {Input::Sparse, false, true});
+        if (!isRelax(denoiser)) CHECK(on.mean > 0.65 * off.mean);
     }
 }

@@ -40,10 +40,15 @@ quality::Settings makeSettings(nrd::Denoiser denoiser, Reaction reaction)
     return makeReblur(reaction);
 }
 
-quality::Settings makeFireflySettings(nrd::Denoiser denoiser, bool hasAntiFirefly)
+quality::Settings makeFireflySettings(nrd::Denoiser denoiser, bool hasAntiFirefly, bool hasPrePass)
 {
     quality::Settings settings = makeSettings(denoiser, {true, true});
-    std::visit([&](auto& chosen) { chosen.enableAntiFirefly = hasAntiFirefly; }, settings);
+    const auto change = [&](auto& chosen)
+    {
+        chosen.enableAntiFirefly = hasAntiFirefly;
+        if (!hasPrePass) chosen.prePassMode = nrd::PrePassMode::OFF;
+    };
+    std::visit(change, settings);
     return settings;
 }
 

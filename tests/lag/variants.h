@@ -17,7 +17,7 @@ bool isRelax(nrd::Denoiser denoiser);
 bool isSpecular(nrd::Denoiser denoiser);
 
 quality::Settings makeSettings(nrd::Denoiser denoiser, Reaction reaction);
-quality::Settings makeFireflySettings(nrd::Denoiser denoiser, bool hasAntiFirefly);
+quality::Settings makeFireflySettings(nrd::Denoiser denoiser, bool hasAntiFirefly, bool hasPrePass);
 
 // Grey radiance as the family wants it.
 quality::Signal packFor(nrd::Denoiser denoiser, quality::Signal grey);

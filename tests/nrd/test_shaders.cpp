@@ -235,6 +235,8 @@ TEST_CASE("constants lie at the same offsets in C++ and in SPIR-V", "[unit]")
         {"historyFixAlternateStride", offsetof(DenoiserConstants, historyFixAlternateStride)},
         {"fastClampSigmaScale", offsetof(DenoiserConstants, fastClampSigmaScale)},
         {"fireflyMinScale", offsetof(DenoiserConstants, fireflyMinScale)},
+        {"fireflyHeadroom", offsetof(DenoiserConstants, fireflyHeadroom)},
+        {"fireflyStrictness", offsetof(DenoiserConstants, fireflyStrictness)},
         {"antilagSigmaScale", offsetof(DenoiserConstants, antilagSigmaScale)},
         {"antilagSensitivity", offsetof(DenoiserConstants, antilagSensitivity)},
         {"stabilizationStrength", offsetof(DenoiserConstants, stabilizationStrength)},

@@ -268,6 +268,6 @@ TEST_CASE("memory per pixel of REBLUR_DIFFUSE_SPECULAR stays within 70 bytes", "
     const double transient = bytesPerPixel(desc.transientPool, desc.transientPoolSize);
     WARN("REBLUR_DIFFUSE_SPECULAR: " << permanent << " permanent + " << transient
                                      << " transient = " << permanent + transient << " bytes per pixel");
-    CHECK(permanent == Approx(38.0));
+    CHECK(permanent == Approx(38.0625)); // the last sixteenth for two texels per tile
     CHECK(permanent + transient < 70.0);
 }

@@ -121,7 +121,7 @@ struct ReblurSettings
 
     CheckerboardMode checkerboardMode = CheckerboardMode::OFF; // orientation of diffuse; specular is the opposite
     HitDistanceReconstructionMode hitDistanceReconstructionMode = HitDistanceReconstructionMode::OFF;
-    bool enableAntiFirefly = true;
+    bool enableAntiFirefly = true; // what one path in thousands finds; without pre-pass less sure of what that is
     bool usePrepassOnlyForSpecularMotionEstimation = false;
     bool returnHistoryLengthInsteadOfOcclusion = false; // colour only
     // For debugging: no filter but the reprojected mean of up to maxAccumulatedFrameNum frames.

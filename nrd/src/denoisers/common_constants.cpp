@@ -102,4 +102,13 @@ void fillIncomplete(const Request& request, CheckerboardMode checkerboard, HitDi
     g.checkerboardResolve = toFloat(mix(a / (1.0 + a), 0.5, saturate(request.frame.jitterDelta)));
     g.reconstructionRadius = static_cast<int32_t>(reconstruction);
 }
+
+// Of a mean against its history: a sample of about 70 times the history passes a loose limit, one of 35 a tight one; of
+// what is more, a share that shrinks as the history grows, so that light may come to where all was black.
+void fillFireflies(bool isTight, bool isCapped, float minScale, float maxBlurRadius, shared::DenoiserConstants& g)
+{
+    g.fireflyMinScale = isTight ? 0.5f * (1.0f + minScale) : minScale;
+    g.fireflyHeadroom = isTight ? 19.0f : 38.0f;
+    g.fireflyStrictness = isTight && !isCapped ? 1e6f : 0.1f * maxBlurRadius;
+}
 } // namespace nrd

@@ -24,6 +24,7 @@ enum Tex : uint8_t
     PrevLength,
     History,
     Fast,
+    Spread,
     Stab,
     Track
 };
@@ -49,6 +50,7 @@ constexpr TextureRow kTextures[] = {
     {PrevLength, "PrevLength", perLobes(R8_UINT, R16_UINT), Permanent},
     {History, "History", kPerSignal, Permanent},
     {Fast, "Fast", kLuma, Permanent},
+    {Spread, "Spread", fixed(RGBA16_SFLOAT), PingPong, TILE_SIZE, kColor},
     {Stab, "Stab", perLobes(R16_SFLOAT, RG16_SFLOAT), Permanent, 1, kStabilized},
     {Track, "Track", fixed(R16_SFLOAT), PingPong, 1, kSpecularColor},
 };
@@ -110,11 +112,11 @@ constexpr PassRow kPasses[] = {
     {"Detect cut", Shader::DetectCut, {Tiles}, {Cut}, kOneGroup, runsCutDetection, {}, kOneTexel},
     {"Pre-pass",
      kPrePass,
-     {Tiles, ViewZ, NormalRoughness, kEachInput},
-     {each(Scratch), only(kSpecularColor, TrackNew)},
+     {Tiles, ViewZ, NormalRoughness, kEachInput, only(kColor, kCut), only(kColor, prev(Spread))},
+     {each(Scratch), only(kSpecularColor, TrackNew), only(kColor, Spread)},
      kGroup16x16,
      runsPrePass,
-     {kMaterialTest}},
+     {kAntiFirefly, kMaterialTest}},
     {"Temporal accumulation",
      kTemporalAccumulation,
      {Tiles, ViewZ, NormalRoughness, Motion, PrevViewZ, PrevNormalRoughness, PrevLength, kCut, kThresholdMix,

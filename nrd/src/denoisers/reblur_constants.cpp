@@ -49,7 +49,8 @@ void fillFilters(const Request& request, const ReblurSettings& s, shared::Denois
     g.minHitDistanceWeight = s.minHitDistanceWeight;
     // Without spatial filtering the long history is as noisy as the fast one, so the box must be wider.
     g.fastClampSigmaScale = toFloat(mix(3.0, s.fastHistoryClampingSigmaScale, saturate(s.maxBlurRadius / 2.0)));
-    g.fireflyMinScale = s.fireflySuppressorMinRelativeScale;
+    const bool isCapped = capsFireflies(s);
+    fillFireflies(s.enableAntiFirefly && !isCapped, isCapped, s.fireflySuppressorMinRelativeScale, g.maxBlurRadius, g);
     g.minMaterialForDiffuse = s.minMaterialForDiffuse;
     g.minMaterialForSpecular = s.minMaterialForSpecular;
     g.isPrepassTrackingOnly = s.usePrepassOnlyForSpecularMotionEstimation ? 1 : 0;

@@ -24,6 +24,7 @@ enum Tex : uint8_t
     PrevLength,
     History,
     Fast,
+    Spread,
     Track
 };
 
@@ -45,6 +46,7 @@ constexpr TextureRow kTextures[] = {
     {PrevLength, "PrevLength", perLobes(R8_UINT, R16_UINT), Permanent},
     {History, "History", kPerSignal, Permanent},
     {Fast, "Fast", perLobes(R16_SFLOAT, RG16_SFLOAT), Permanent},
+    {Spread, "Spread", fixed(RGBA16_SFLOAT), PingPong, TILE_SIZE}, // of the samples' luma: mean, deviation
     {Track, "Track", fixed(R16_SFLOAT), PingPong, 1, kSpecular},
 };
 static_assert(rowsMatchKeys(kTextures));
@@ -114,11 +116,11 @@ constexpr PassRow kPasses[] = {
     {"Detect cut", Shader::DetectCut, {Tiles}, {Cut}, kOneGroup, runsCutDetection, {}, kOneTexel},
     {"Pre-pass",
      kPrePass,
-     {Tiles, ViewZ, NormalRoughness, kEachInput},
-     {each(Scratch), only(kSpecular, TrackNew)},
+     {Tiles, ViewZ, NormalRoughness, kEachInput, kCut, prev(Spread)},
+     {each(Scratch), only(kSpecular, TrackNew), Spread},
      kGroup16x16,
      runsPrePass,
-     {kMaterialTest}},
+     {kAntiFirefly, kMaterialTest}},
     {"Temporal accumulation",
      kTemporalAccumulation,
      {Tiles, ViewZ, NormalRoughness, Motion, PrevViewZ, PrevNormalRoughness, PrevLength, kCut, kThresholdMix,

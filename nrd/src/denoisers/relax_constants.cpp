@@ -30,7 +30,7 @@ void fillHistory(const Request& request, const RelaxSettings& s, shared::Denoise
     g.fastClampSigmaScale = s.fastHistoryClampingSigmaScale;
     g.relaxAntilag = {s.antilagSettings.accelerationAmount, s.antilagSettings.spatialSigmaScale,
                       s.antilagSettings.temporalSigmaScale, s.antilagSettings.resetAmount};
-    g.fireflyMinScale = 2.0f;
+    fillFireflies(s.enableAntiFirefly, capsFireflies(s), 2.0f, 30.0f, g);
     g.responsiveMinFrameNum = static_cast<float>(kHistoryMaxFrameNum);
 }
 
@@ -40,7 +40,6 @@ void fillPrePass(const Request& request, const RelaxSettings& s, shared::Denoise
     const HitDistanceParameters parameters; // of no effect but on what "far" is
     g.diffusePrepassRadius = s.diffusePrepassBlurRadius * scale;
     g.specularPrepassRadius = s.specularPrepassBlurRadius * scale;
-    g.maxBlurRadius = 30.0f; // of the limit on fireflies
     g.minBlurRadius = 1.0f;
     g.minHitDistanceWeight = s.minHitDistanceWeight;
     g.hitDistanceParameters = {parameters.A * request.common.metersToUnits, parameters.B, parameters.C, 0.0f};

@@ -1,0 +1,121 @@
+// How bright a sample may be before it is taken for a firefly: far above what its tile and the neighbouring tiles
+// showed lately. Their statistics count a firefly as bright as it was let through, so they grow with a signal whose
+// energy comes from one sample in hundreds, but not with one in thousands.
+// Needs gIn_PrevSpread and gOut_Spread, one texel per tile: mean and deviation of luma per lobe; gIn_Cut.
+#ifndef FIREFLY_CAP_GLSL
+#define FIREFLY_CAP_GLSL
+#include "history_reset.glsl"
+
+// Where one sample in N carries all energy, the deviation is sqrt(N) times the mean and the sample sqrt(N) times that:
+// 48 follows light of one in 48^2. More, and chance makes the statistics grow with fireflies of one in 5000. Not less
+// than 16, by which one of 256 values can deviate: the tile's own statistics never cap what they consist of.
+const float kSpreadScale = 48.0;
+const float kSpreadFrameNum = 32.0;
+const float kFewSamples = 8.0; // say nothing of what is normal
+const float kNoCap = 1e30;
+const float kNoLuma = -1.0;
+// The share with which whatever is brighter counts in the statistics, or they would never leave black.
+const float kCapGrowth = 1.0 / 256.0;
+
+// Both lobes of a set of samples. The two largest are kept apart: there may be fireflies.
+struct Samples
+{
+    vec2 count;
+    vec2 sum;
+    vec2 squares;
+    vec2 largest;
+    vec2 second; // at most as large
+};
+
+struct Spread
+{
+    vec2 mean;
+    vec2 deviation;
+};
+
+shared vec2 sLumas[TILE_SIZE][TILE_SIZE];
+shared Samples sRows[TILE_SIZE];
+
+const Samples kNoSamples = Samples(vec2(0.0), vec2(0.0), vec2(0.0), vec2(kNoLuma), vec2(kNoLuma));
+
+void addToSums(inout Samples s, vec2 value)
+{
+    vec2 isUsed = vec2(greaterThanEqual(value, vec2(0.0)));
+    s.count += isUsed;
+    s.sum += value * isUsed;
+    s.squares += value * value * isUsed;
+}
+
+void addSample(inout Samples s, vec2 value)
+{
+    addToSums(s, min(s.second, value));
+    s.second = max(s.second, min(s.largest, value));
+    s.largest = max(s.largest, value);
+}
+
+void addSamples(inout Samples s, Samples other)
+{
+    s.count += other.count;
+    s.sum += other.sum;
+    s.squares += other.squares;
+    addSample(s, other.largest);
+    addSample(s, other.second);
+}
+
+// lumas: this pixel's sample per lobe, kNoLuma if it has none. Has barriers.
+Samples gatherTile(vec2 lumas)
+{
+    ivec2 local = ivec2(gl_LocalInvocationID.xy);
+    sLumas[local.y][local.x] = lumas;
+    barrier();
+    if (local.x == 0)
+    {
+        Samples row = kNoSamples;
+        for (int i = 0; i < TILE_SIZE; i++) addSample(row, sLumas[local.y][i]);
+        sRows[local.y] = row;
+    }
+    barrier();
+    Samples tile = kNoSamples;
+    for (int i = 0; i < TILE_SIZE; i++) addSamples(tile, sRows[i]);
+    return tile;
+}
+
+Spread spreadOf(Samples s)
+{
+    vec2 count = max(s.count, vec2(1.0)), mean = s.sum / count;
+    return Spread(mean, sqrt(max(s.squares / count - mean * mean, vec2(0.0))));
+}
+
+// 0 where nothing is known, which is what sky and a new history hold.
+Spread readSpread(ivec2 tile)
+{
+    if (isHistoryReset()) return Spread(vec2(0.0), vec2(0.0));
+    vec4 stored = texelFetch(gIn_PrevSpread, clamp(tile, ivec2(0), g.rectSizeMinusOne / TILE_SIZE), 0);
+    return Spread(stored.xy, stored.zw);
+}
+
+vec2 isKnown(Samples s) { return vec2(greaterThanEqual(s.count, vec2(kFewSamples))); }
+vec2 capOf(Spread s) { return s.mean + kSpreadScale * s.deviation; }
+
+// What the frame itself says, or what was known before if that is more.
+vec2 findCap(ivec2 tile, Samples samples)
+{
+    vec2 cap = isKnown(samples) * capOf(spreadOf(samples));
+    for (int i = 0; i < 9; i++) cap = max(cap, capOf(readSpread(tile + ivec2(i % 3, i / 3) - 1)));
+    // Black so far; a tile full of black may cap what comes, one with hardly a pixel may not.
+    return mix(cap, vec2(kNoCap), (1.0 - isKnown(samples)) * vec2(equal(cap, vec2(0.0))));
+}
+
+void storeSpread(ivec2 tile, Samples samples, vec2 cap)
+{
+    Samples all = samples;
+    addToSums(all, min(samples.largest, max(cap, samples.largest * kCapGrowth)));
+    addToSums(all, min(samples.second, max(cap, samples.second * kCapGrowth)));
+    Spread now = spreadOf(all), before = readSpread(tile);
+    vec2 share = mix(vec2(1.0 / kSpreadFrameNum), vec2(1.0), equal(before.mean, vec2(0.0))) * isKnown(samples);
+    vec2 mean = mix(before.mean, now.mean, share);
+    vec2 variance = mix(before.deviation * before.deviation, now.deviation * now.deviation, share);
+    imageStore(gOut_Spread, tile, roundToHalf(vec4(mean, sqrt(variance))));
+}
+
+#endif
