@@ -1,12 +1,13 @@
 #include "built_in_scenes.h"
 #include "scene_bumps.h"
 #include "scene_cornell.h"
+#include "scene_panes.h"
 
 namespace sample
 {
 namespace
 {
-constexpr BuiltInScene kScenes[] = {{"cornell", makeCornellBox}, {"bumps", makeBumps}};
+constexpr BuiltInScene kScenes[] = {{"cornell", makeCornellBox}, {"bumps", makeBumps}, {"panes", makePanes}};
 } // namespace
 
 std::span<const BuiltInScene> builtInScenes() { return kScenes; }

@@ -82,6 +82,7 @@ struct CaptureLight
     double tanAngularRadius = 0.0;                     // >= 0, tangent of the angular radius; not for local lights
     std::array<double, 3> position = {};               // world space; local lights only
     double radius = 0.0;                               // > 0, world units; local lights only
+    bool operator==(const CaptureLight&) const = default;
 };
 
 struct CaptureFrame

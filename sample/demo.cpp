@@ -1,6 +1,7 @@
 #include "demo.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 namespace sample
@@ -31,26 +32,43 @@ Image sideBySide(const std::vector<Image>& images)
 }
 } // namespace
 
-void writeDemoPictures(const std::filesystem::path& folder, const ComposedPictures& pictures)
+void writeDemoPictures(const std::filesystem::path& folder, const std::vector<DemoColumn>& columns)
 {
-    const std::vector<Image> images = {toImage(pictures.noisy), toImage(pictures.denoised),
-                                       toImage(pictures.reference)};
-    writePng(folder / "noisy.png", images[0]);
-    writePng(folder / "denoised.png", images[1]);
-    writePng(folder / "reference.png", images[2]);
+    const ComposedPictures& first = columns.front().measurer.pictures();
+    std::vector<std::pair<std::string, Image>> pictures = {{"noisy", toImage(first.noisy)}};
+    for (const DemoColumn& column : columns)
+        pictures.emplace_back(column.name, toImage(column.measurer.pictures().denoised));
+    pictures.emplace_back("reference", toImage(first.reference));
+    std::string order;
+    std::vector<Image> images;
+    for (const auto& [name, image] : pictures)
+    {
+        writePng(folder / (name + ".png"), image);
+        order += (order.empty() ? "" : ", ") + name;
+        images.push_back(image);
+    }
     writePng(folder / "side-by-side.png", sideBySide(images));
-    std::printf("side-by-side.png: noisy on the left, denoised in the middle, reference on the right\n");
+    std::printf("side-by-side.png, from left to right: %s\n", order.c_str());
 }
 
-void printErrorTable(const SequenceMeasurer& measurer)
+void printErrorTable(const std::vector<DemoColumn>& columns)
 {
-    const SignalMeasures noisy = measurer.meanNoisy()[static_cast<size_t>(Signal::Composed)];
-    const SignalMeasures denoised = measurer.meanDenoised()[static_cast<size_t>(Signal::Composed)];
-    std::printf("\n%-10s %10s %10s\n", "composed", "noisy", "denoised");
+    constexpr auto kComposed = static_cast<size_t>(Signal::Composed);
+    const SignalMeasures noisy = columns.front().measurer.meanNoisy()[kComposed];
+    std::printf("\n%-10s %10s", "composed", "noisy");
+    for (const DemoColumn& column : columns) std::printf(" %10s", column.name.c_str());
+    std::printf("\n");
     for (const MeasureInfo& measure : kMeasures)
     {
-        const std::optional<double>&a = noisy.*measure.field, &b = denoised.*measure.field;
-        if (a && b) std::printf("%-10s %10.*f %10.*f\n", measure.name, measure.decimals, *a, measure.decimals, *b);
+        const std::optional<double>& before = noisy.*measure.field;
+        if (!before) continue;
+        std::printf("%-10s %10.*f", measure.name, measure.decimals, *before);
+        for (const DemoColumn& column : columns)
+        {
+            const std::optional<double> after = column.measurer.meanDenoised()[kComposed].*measure.field;
+            std::printf(" %*.*f", std::max(10, int(column.name.size())), measure.decimals, after.value_or(NAN));
+        }
+        std::printf("\n");
     }
 }
 } // namespace sample

@@ -5,10 +5,17 @@
 
 namespace sample
 {
-/// Writes noisy.png, denoised.png, reference.png and side-by-side.png (left to right) of the last measured frame to
-/// the folder. Throws FileError.
-void writeDemoPictures(const std::filesystem::path& folder, const ComposedPictures& pictures);
+/// What one set of denoisers made of the frames with a reference.
+struct DemoColumn
+{
+    std::string name; // "denoised", or of several "denoised-" and the set's name
+    SequenceMeasurer measurer;
+};
+
+/// Writes noisy.png, a picture per column, reference.png and side-by-side.png (left to right) of the last measured
+/// frame to the folder. Throws FileError.
+void writeDemoPictures(const std::filesystem::path& folder, const std::vector<DemoColumn>& columns);
 
 /// Prints the errors of the composed picture, noisy against denoised, averaged over the frames with a reference.
-void printErrorTable(const SequenceMeasurer& measurer);
+void printErrorTable(const std::vector<DemoColumn>& columns);
 } // namespace sample

@@ -2,35 +2,23 @@
 
 #include "nrd_sample_shaders.h"
 
+#include <algorithm>
 #include <cstring>
 #include <glm/gtc/type_ptr.hpp>
+#include <iterator>
 
 namespace sample
 {
 namespace
 {
-constexpr nrd::Identifier kIdentifier = 0;
-constexpr uint32_t kGroupSize = 8;
+constexpr nrd::Identifier kLobeDenoiser = 0, kShadowDenoiser = 1;
 
 struct ComposeConstants
 {
     glm::uvec2 size;
     glm::vec2 occlusionWeights;
+    uint32_t hasShadow;
 };
-
-engine::ComputePipeline createPipeline(const engine::Device& device, Shader shader, uint32_t sampledCount,
-                                       uint32_t constantsByteSize)
-{
-    const ShaderBlob blob = shaderBlob(shader);
-    engine::ComputeDesc pipeline;
-    pipeline.name = blob.name;
-    pipeline.words = blob.words;
-    pipeline.byteSize = blob.byteSize;
-    pipeline.bindings.assign(sampledCount, VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE);
-    pipeline.bindings.push_back(VK_DESCRIPTOR_TYPE_STORAGE_IMAGE);
-    pipeline.pushConstantByteSize = constantsByteSize;
-    return {device, pipeline};
-}
 
 nrd::NrdUserImage toUserImage(const engine::Image& image)
 {
@@ -53,7 +41,22 @@ glm::vec2 occlusionWeights(const SampleDenoiser& denoiser)
     return lobes / std::max(lobes.x + lobes.y, 1.0f);
 }
 
-template <class T> std::span<const std::byte> bytesOf(const T& value) { return std::as_bytes(std::span(&value, 1)); }
+// Where the light is, unless the user said otherwise.
+nrd::SigmaSettings shadowSettings(const ReplaySettings& given, const SceneLight& light)
+{
+    nrd::SigmaSettings settings = given.sigma;
+    const nrd::SigmaSettings untold;
+    if (settings.isLightLocal || !std::equal(std::begin(untold.lightDirection), std::end(untold.lightDirection),
+                                             std::begin(settings.lightDirection)))
+        return settings;
+    settings.isLightLocal = light.kind != LightKind::Directional;
+    for (int i = 0; i < 3; ++i)
+    {
+        settings.lightDirection[i] = settings.isLightLocal ? 0.0f : -light.direction[i]; // it is the light's travel
+        settings.lightPosition[i] = light.position[i];
+    }
+    return settings;
+}
 } // namespace
 
 glm::vec3 hitDistanceParametersOf(const ReplaySettings& settings)
@@ -73,10 +76,10 @@ engine::DeviceDesc denoiserDeviceDesc()
 
 DenoiseStage::DenoiseStage(const engine::Device& device, const DenoiseDesc& desc) : m_device(device), m_desc(desc)
 {
-    if (desc.denoiser.family != Family::None) createIntegration(); // first: it may be refused
+    if (!desc.set.isNone()) createIntegration(); // first: it may be refused
     createImages();
-    m_packGuides = createPipeline(device, Shader::PackGuides, 2, sizeof(glm::uvec2));
-    m_compose = createPipeline(device, Shader::Compose, 5, sizeof(ComposeConstants));
+    m_packGuides = createPixelPipeline(device, shaderBlob(Shader::PackGuides), 2, sizeof(glm::uvec2));
+    m_compose = createPixelPipeline(device, shaderBlob(Shader::Compose), 7, sizeof(ComposeConstants));
 }
 
 void DenoiseStage::check(nrd::Result result, const char* action) const
@@ -92,15 +95,20 @@ void DenoiseStage::createImages()
     };
     m_normalRoughness = create("normal and roughness", VK_FORMAT_A2B10G10R10_UNORM_PACK32);
     m_composed = create("composed", VK_FORMAT_R32G32B32A32_SFLOAT);
-    if (m_desc.denoiser.family == Family::Reference) m_signal = create("composed noisy", VK_FORMAT_R32G32B32A32_SFLOAT);
+    const SampleDenoiser& denoiser = *m_desc.set.lobes;
+    if (denoiser.family == Family::Reference) m_signal = create("composed noisy", VK_FORMAT_R32G32B32A32_SFLOAT);
+    if (m_desc.set.shadow)
+        m_shadow.emplace(m_device,
+                         ShadowSignalDesc{m_desc.set.shadow->denoiser == nrd::Denoiser::SIGMA_SHADOW_TRANSLUCENCY,
+                                          m_desc.width, m_desc.height});
     for (Lobe lobe : kLobes)
     {
-        const LobeFormat format = m_desc.denoiser.format(lobe);
+        const LobeFormat format = denoiser.format(lobe);
         if (format == LobeFormat::None) continue;
         m_lobes[static_cast<size_t>(lobe)].emplace(
-            m_device, LobeSignalDesc{lobe, format, m_desc.denoiser.family, m_desc.width, m_desc.height,
+            m_device, LobeSignalDesc{lobe, format, denoiser.family, m_desc.width, m_desc.height,
                                      hitDistanceParametersOf(m_desc.settings),
-                                     checkerboardModeOf(m_desc.settings, m_desc.denoiser.family)});
+                                     checkerboardModeOf(m_desc.settings, denoiser.family)});
     }
 }
 
@@ -117,18 +125,25 @@ void DenoiseStage::createIntegration()
     creation.resourceHeight = static_cast<uint16_t>(m_desc.height);
     creation.framesInFlight = m_desc.framesInFlight;
     creation.createDefaultPipelines = true;
-    const nrd::DenoiserDesc denoiser = {kIdentifier, m_desc.denoiser.denoiser};
+    std::vector<nrd::DenoiserDesc> denoisers;
+    if (m_desc.set.lobes->family != Family::None) denoisers.push_back({kLobeDenoiser, m_desc.set.lobes->denoiser});
+    if (m_desc.set.shadow) denoisers.push_back({kShadowDenoiser, m_desc.set.shadow->denoiser});
     nrd::InstanceCreationDesc instance;
-    instance.denoisers = &denoiser;
-    instance.denoisersNum = 1;
+    instance.denoisers = denoisers.data();
+    instance.denoisersNum = static_cast<uint32_t>(denoisers.size());
     check(m_integration.Create(creation, instance), "create the denoiser");
     applyFamilySettings();
 }
 
 void DenoiseStage::applyFamilySettings()
 {
-    const auto set = [&](const auto& own) { return m_integration.SetDenoiserSettings(kIdentifier, own); };
-    check(setDenoiserSettings(m_desc.settings, m_desc.denoiser.family, set), "set the denoiser's settings");
+    const auto apply = [&](const SampleDenoiser& denoiser, nrd::Identifier identifier)
+    {
+        const auto set = [&](const auto& own) { return m_integration.SetDenoiserSettings(identifier, own); };
+        check(setDenoiserSettings(m_desc.settings, denoiser.family, set), "set the denoiser's settings");
+    };
+    apply(*m_desc.set.lobes, kLobeDenoiser);
+    if (m_desc.set.shadow) apply(*m_desc.set.shadow, kShadowDenoiser);
 }
 
 engine::Image* DenoiseStage::denoised(Lobe lobe)
@@ -145,19 +160,37 @@ double DenoiseStage::memoryMiB() const
 
 void DenoiseStage::record(VkCommandBuffer cmd, FrameImages& images, const DenoiseFrame& frame)
 {
-    const bool hasLobes = m_lobes[0] || m_lobes[1];
-    if (hasLobes)
-    {
-        packGuides(cmd, images);
-        for (auto& lobe : m_lobes)
-            if (lobe) lobe->recordPack(cmd, images, frame.view.frameIndex);
-        denoise(cmd, images, frame);
-        for (auto& lobe : m_lobes)
-            if (lobe) lobe->recordUnpack(cmd, images, frame.denoisingRange);
-    }
+    if (m_integration.IsCreated()) beginFrame(frame);
+    if (m_lobes[0] || m_lobes[1] || m_shadow) denoiseSignals(cmd, images, frame);
     compose(cmd, images);
-    if (m_desc.denoiser.family == Family::Reference) denoise(cmd, images, frame);
+    if (m_desc.set.lobes->family == Family::Reference)
+        denoise(cmd, {kLobeDenoiser},
+                {{nrd::ResourceType::IN_SIGNAL, &m_signal}, {nrd::ResourceType::OUT_SIGNAL, &m_composed}});
     m_previous = frame.view;
+}
+
+void DenoiseStage::beginFrame(const DenoiseFrame& frame)
+{
+    check(m_integration.NewFrame(), "begin a frame of the denoiser");
+    if (m_desc.set.shadow)
+        check(m_integration.SetDenoiserSettings(kShadowDenoiser, shadowSettings(m_desc.settings, *frame.shadowLight)),
+              "set the light");
+    check(m_integration.SetCommonSettings(settingsOf(frame)), "set the frame's settings");
+}
+
+void DenoiseStage::denoiseSignals(VkCommandBuffer cmd, FrameImages& images, const DenoiseFrame& frame)
+{
+    packGuides(cmd, images);
+    std::vector<nrd::Identifier> identifiers;
+    if (m_lobes[0] || m_lobes[1]) identifiers.push_back(kLobeDenoiser);
+    for (auto& lobe : m_lobes)
+        if (lobe) lobe->recordPack(cmd, images, frame.view.frameIndex);
+    if (m_shadow) identifiers.push_back(kShadowDenoiser);
+    if (m_shadow) m_shadow->recordPack(cmd, images, *frame.shadowLight);
+    denoise(cmd, identifiers, slots(images));
+    for (auto& lobe : m_lobes)
+        if (lobe) lobe->recordUnpack(cmd, images, frame.denoisingRange);
+    if (m_shadow) m_shadow->recordUnpack(cmd, images, frame.denoisingRange);
 }
 
 void DenoiseStage::packGuides(VkCommandBuffer cmd, FrameImages& images)
@@ -167,9 +200,8 @@ void DenoiseStage::packGuides(VkCommandBuffer cmd, FrameImages& images)
     transition(cmd, m_normalRoughness, engine::kStorage);
     if (!m_packGuidesSet)
         m_packGuidesSet = m_packGuides.createSet({images.normalRoughness, images.motion, m_normalRoughness});
-    m_packGuides.dispatch(
-        cmd, m_packGuidesSet, bytesOf(glm::uvec2(m_desc.width, m_desc.height)),
-        {engine::groupCount(m_desc.width, kGroupSize), engine::groupCount(m_desc.height, kGroupSize), 1});
+    const glm::uvec2 size(m_desc.width, m_desc.height);
+    dispatchPixels(cmd, m_packGuides, m_packGuidesSet, size, size);
 }
 
 nrd::CommonSettings DenoiseStage::settingsOf(const DenoiseFrame& frame) const
@@ -196,36 +228,34 @@ nrd::CommonSettings DenoiseStage::settingsOf(const DenoiseFrame& frame) const
     s.frameIndex = frame.view.frameIndex;
     s.accumulationMode = isCut ? nrd::AccumulationMode::CLEAR_AND_RESTART : nrd::AccumulationMode::CONTINUE;
     s.isSpecularMotionAvailable = m_desc.isSceneMoving;
-    applySettings(settings, m_desc.denoiser.family, m_desc.assignments);
+    // Of other sets' settings this set has none.
+    std::vector<Assignment> common;
+    for (const Assignment& assignment : m_desc.assignments)
+        if (isCommonSetting(assignment.first)) common.push_back(assignment);
+    applySettings(settings, Family::None, common);
     return s;
 }
 
 std::vector<SlotImage> DenoiseStage::slots(FrameImages& images)
 {
     using nrd::ResourceType;
-    if (m_desc.denoiser.family == Family::Reference)
-        return {{ResourceType::IN_SIGNAL, &m_signal}, {ResourceType::OUT_SIGNAL, &m_composed}};
     std::vector<SlotImage> all = {{ResourceType::IN_MV, &images.motion},
                                   {ResourceType::IN_NORMAL_ROUGHNESS, &m_normalRoughness},
                                   {ResourceType::IN_VIEWZ, &images.viewZ}};
     if (denoised(Lobe::Specular)) all.emplace_back(ResourceType::IN_SPEC_MV, &images.specularMotion);
+    const auto add = [&](const std::vector<SlotImage>& own) { all.insert(all.end(), own.begin(), own.end()); };
     for (auto& lobe : m_lobes)
-    {
-        if (!lobe) continue;
-        const std::vector<SlotImage> own = lobe->slots();
-        all.insert(all.end(), own.begin(), own.end());
-    }
+        if (lobe) add(lobe->slots());
+    if (m_shadow) add(m_shadow->slots());
     return all;
 }
 
-void DenoiseStage::denoise(VkCommandBuffer cmd, FrameImages& images, const DenoiseFrame& frame)
+void DenoiseStage::denoise(VkCommandBuffer cmd, const std::vector<nrd::Identifier>& identifiers,
+                           const std::vector<SlotImage>& all)
 {
-    check(m_integration.NewFrame(), "begin a frame of the denoiser");
-    check(m_integration.SetCommonSettings(settingsOf(frame)), "set the frame's settings");
-    const std::vector<SlotImage> all = slots(images);
     nrd::NrdUserPool pool;
     for (const auto& [slot, image] : all) pool[slot] = toUserImage(*image);
-    check(m_integration.Denoise(cmd, &kIdentifier, 1, pool), "denoise");
+    check(m_integration.Denoise(cmd, identifiers.data(), static_cast<uint32_t>(identifiers.size()), pool), "denoise");
     for (const auto& [slot, image] : all)
     {
         const nrd::NrdImageState& state = pool[slot].state;
@@ -235,12 +265,13 @@ void DenoiseStage::denoise(VkCommandBuffer cmd, FrameImages& images, const Denoi
 
 void DenoiseStage::compose(VkCommandBuffer cmd, FrameImages& images)
 {
-    engine::Image& target = m_desc.denoiser.family == Family::Reference ? m_signal : m_composed;
+    engine::Image& target = m_desc.set.lobes->family == Family::Reference ? m_signal : m_composed;
     engine::Image* diffuse = denoised(Lobe::Diffuse);
     engine::Image* specular = denoised(Lobe::Specular);
     std::vector<engine::Binding> bindings;
-    for (engine::Image* in : {diffuse ? diffuse : &images.diffuse, specular ? specular : &images.specular,
-                              &images.diffuseFactor, &images.specularFactor, &images.direct})
+    for (engine::Image* in :
+         {diffuse ? diffuse : &images.diffuse, specular ? specular : &images.specular, &images.diffuseFactor,
+          &images.specularFactor, &images.direct, &images.sun, m_shadow ? &m_shadow->values() : &images.shadow})
     {
         transition(cmd, *in, engine::kSampled);
         bindings.emplace_back(*in);
@@ -248,9 +279,8 @@ void DenoiseStage::compose(VkCommandBuffer cmd, FrameImages& images)
     transition(cmd, target, engine::kStorage);
     bindings.emplace_back(target);
     if (!m_composeSet) m_composeSet = m_compose.createSet(bindings);
-    const ComposeConstants constants = {glm::uvec2(m_desc.width, m_desc.height), occlusionWeights(m_desc.denoiser)};
-    m_compose.dispatch(
-        cmd, m_composeSet, bytesOf(constants),
-        {engine::groupCount(m_desc.width, kGroupSize), engine::groupCount(m_desc.height, kGroupSize), 1});
+    const ComposeConstants constants = {glm::uvec2(m_desc.width, m_desc.height), occlusionWeights(*m_desc.set.lobes),
+                                        m_desc.hasShadowSignal};
+    dispatchPixels(cmd, m_compose, m_composeSet, constants, constants.size);
 }
 } // namespace sample

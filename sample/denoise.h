@@ -1,7 +1,7 @@
 // From the traced signals to the composed picture: packing, NrdIntegration on the sample's own images, composition.
 #pragma once
-#include "lobe_signal.h"
-#include "replay_settings.h"
+#include "denoiser_set.h"
+#include "shadow_signal.h"
 
 #include <nrd/integration.h>
 
@@ -9,22 +9,24 @@ namespace sample
 {
 struct DenoiseDesc
 {
-    const SampleDenoiser& denoiser;
+    DenoiserSet set;
     uint32_t width = 0; // pixels, as the tracer's
     uint32_t height = 0;
     uint32_t framesInFlight = 2;
-    ReplaySettings settings;             // of the denoiser's family; those of a frame are made anew for each
+    ReplaySettings settings;             // of the set's families; those of a frame are made anew for each
     std::vector<Assignment> assignments; // --set, for the settings of a frame
     bool isSceneMoving = false;          // what reflections show may move on its own
+    bool hasShadowSignal = false;        // as the tracer; a set without a denoiser of it shows it noisy
 };
 
 /// What changes from frame to frame.
 struct DenoiseFrame
 {
     View view;
-    float denoisingRange = 1000.0f; // world units
-    float deltaTimeMs = 16.667f;    // milliseconds since the frame before
-    bool isCut = false;             // no history
+    float denoisingRange = 1000.0f;          // world units
+    float deltaTimeMs = 16.667f;             // milliseconds since the frame before
+    bool isCut = false;                      // no history
+    const SceneLight* shadowLight = nullptr; // of the shadow signal; null without
 };
 
 class DenoiseStage
@@ -40,8 +42,11 @@ public:
     engine::Image& composed() { return m_composed; } // RGBA32F, linear
     /// RGBA32F: linear radiance, normalised hit distance. Null when the denoiser does not take the lobe.
     engine::Image* denoised(Lobe lobe);
+    /// RGBA32F: what comes through, visible share of the light. Null when the shadow isn't denoised.
+    engine::Image* denoisedShadow() { return m_shadow ? &m_shadow->values() : nullptr; }
+    const DenoiserSet& set() const { return m_desc.set; }
 
-    /// MiB of the denoiser's pools; 0 without denoiser.
+    /// MiB of the denoisers' pools; 0 without denoiser.
     double memoryMiB() const;
 
 private:
@@ -50,8 +55,11 @@ private:
     void applyFamilySettings();
     nrd::CommonSettings settingsOf(const DenoiseFrame& frame) const;
     std::vector<SlotImage> slots(FrameImages& images);
+    void beginFrame(const DenoiseFrame& frame);
     void packGuides(VkCommandBuffer cmd, FrameImages& images);
-    void denoise(VkCommandBuffer cmd, FrameImages& images, const DenoiseFrame& frame);
+    void denoiseSignals(VkCommandBuffer cmd, FrameImages& images, const DenoiseFrame& frame);
+    void denoise(VkCommandBuffer cmd, const std::vector<nrd::Identifier>& identifiers,
+                 const std::vector<SlotImage>& images);
     void compose(VkCommandBuffer cmd, FrameImages& images);
     void check(nrd::Result result, const char* action) const;
 
@@ -60,6 +68,7 @@ private:
     engine::Image m_normalRoughness, m_composed;
     engine::Image m_signal; // REFERENCE: the composed noisy picture
     std::array<std::optional<LobeSignal>, 2> m_lobes;
+    std::optional<ShadowSignal> m_shadow;
     engine::ComputePipeline m_packGuides, m_compose;
     VkDescriptorSet m_packGuidesSet = VK_NULL_HANDLE, m_composeSet = VK_NULL_HANDLE;
     nrd::NrdIntegration m_integration;

@@ -113,9 +113,10 @@ Material toMaterial(const tinygltf::Model& model, const tinygltf::Material& sour
     material.roughness = cleaned(pbr.roughnessFactor, 0.0f, 1.0f, 1.0f);
     material.emission = emissionOf(source);
     material.normalScale = cleaned(source.normalTexture.scale, -100.0f, 100.0f, 1.0f);
-    // Blended surfaces are cut out at one half: the tracer has no transparency.
     if (source.alphaMode == "MASK") material.alphaCutoff = cleaned(source.alphaCutoff, 0.0f, 2.0f, 0.5f);
-    if (source.alphaMode == "BLEND") material.alphaCutoff = 0.5f;
+    // A guide describes one surface: the blended one from an alpha of one half on, else what lies behind it.
+    material.isBlended = source.alphaMode == "BLEND";
+    if (material.isBlended) material.alphaCutoff = 0.5f;
     material.isDoubleSided = source.doubleSided;
     material.baseColorTexture = toUse(model, pbr.baseColorTexture, what + ", base colour,");
     material.metallicRoughnessTexture = toUse(model, pbr.metallicRoughnessTexture, what + ", metallic-roughness,");

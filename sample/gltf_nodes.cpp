@@ -44,6 +44,14 @@ void readCameras(const tinygltf::Model& model, Scene& scene)
     }
 }
 
+// glTF's lights are points; exporters put the size of the emitter into the extras.
+float radiusOf(const tinygltf::Light& in, float otherwise)
+{
+    if (!in.extras.IsObject() || !in.extras.Has("radius") || !in.extras.Get("radius").IsNumber()) return otherwise;
+    const auto radius = float(in.extras.Get("radius").GetNumberAsDouble());
+    return std::isfinite(radius) && radius > 0.0f ? radius : otherwise;
+}
+
 void readLights(const tinygltf::Model& model, Scene& scene)
 {
     for (size_t i = 0; i < model.lights.size(); ++i)
@@ -65,6 +73,7 @@ void readLights(const tinygltf::Model& model, Scene& scene)
         const float outer = std::clamp(float(in.spot.outerConeAngle), 1e-3f, 0.5f * kPi);
         light.outerCosine = std::cos(outer);
         light.innerCosine = std::cos(std::clamp(float(in.spot.innerConeAngle), 0.0f, outer * 0.999f));
+        light.radius = radiusOf(in, light.radius);
         scene.lights.push_back(light);
     }
 }

@@ -59,8 +59,6 @@ constexpr SlotRow kSlots[] = {
 };
 // clang-format on
 
-constexpr uint32_t kGroupSize = 8;
-
 // As in the shaders.
 struct PackConstants
 {
@@ -80,21 +78,6 @@ struct UnpackConstants
     float denoisingRange;
 };
 
-engine::ComputePipeline createPipeline(const engine::Device& device, Shader shader, uint32_t constantsByteSize)
-{
-    const ShaderBlob blob = shaderBlob(shader);
-    engine::ComputeDesc pipeline;
-    pipeline.name = blob.name;
-    pipeline.words = blob.words;
-    pipeline.byteSize = blob.byteSize;
-    pipeline.bindings.assign(4, VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE);
-    pipeline.bindings.push_back(VK_DESCRIPTOR_TYPE_STORAGE_IMAGE);
-    pipeline.pushConstantByteSize = constantsByteSize;
-    pipeline.setCount = 2;
-    return {device, pipeline};
-}
-
-template <class T> std::span<const std::byte> bytesOf(const T& value) { return std::as_bytes(std::span(&value, 1)); }
 } // namespace
 
 LobeSignal::LobeSignal(const engine::Device& device, const LobeSignalDesc& desc) : m_desc(desc)
@@ -109,8 +92,8 @@ LobeSignal::LobeSignal(const engine::Device& device, const LobeSignalDesc& desc)
         m_outputs.push_back({row.output, row.mode, create(row.output, row.imageFormat)});
     }
     m_values = engine::Image(device, {"unpacked lobe", desc.width, desc.height, VK_FORMAT_R32G32B32A32_SFLOAT});
-    m_pack = createPipeline(device, Shader::PackLobe, sizeof(PackConstants));
-    m_unpack = createPipeline(device, Shader::UnpackLobe, sizeof(UnpackConstants));
+    m_pack = createPixelPipeline(device, shaderBlob(Shader::PackLobe), 4, sizeof(PackConstants), 2);
+    m_unpack = createPixelPipeline(device, shaderBlob(Shader::UnpackLobe), 4, sizeof(UnpackConstants));
 }
 
 std::vector<SlotImage> LobeSignal::slots()
@@ -141,9 +124,7 @@ void LobeSignal::recordPack(VkCommandBuffer cmd, FrameImages& frame, uint32_t fr
                                          isDiffuse,
                                          static_cast<uint32_t>(m_desc.checkerboard),
                                          frameIndex};
-        m_pack.dispatch(
-            cmd, slot.set, bytesOf(constants),
-            {engine::groupCount(m_desc.width, kGroupSize), engine::groupCount(m_desc.height, kGroupSize), 1});
+        dispatchPixels(cmd, m_pack, slot.set, constants, constants.size);
     }
 }
 
@@ -157,7 +138,6 @@ void LobeSignal::recordUnpack(VkCommandBuffer cmd, FrameImages& frame, float den
             {frame.viewZ, frame.normalRoughness, m_outputs.front().image, m_outputs.back().image, m_values});
     const UnpackConstants constants = {glm::uvec2(m_desc.width, m_desc.height), m_outputs.front().mode,
                                        m_desc.lobe == Lobe::Diffuse, denoisingRange};
-    m_unpack.dispatch(cmd, m_unpackSet, bytesOf(constants),
-                      {engine::groupCount(m_desc.width, kGroupSize), engine::groupCount(m_desc.height, kGroupSize), 1});
+    dispatchPixels(cmd, m_unpack, m_unpackSet, constants, constants.size);
 }
 } // namespace sample

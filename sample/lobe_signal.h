@@ -1,6 +1,7 @@
 // One lobe on its way through the denoiser: packed into input slots, and unpacked from output slots.
 #pragma once
 #include "path_tracer.h"
+#include "pixel_pass.h"
 #include "sample_denoisers.h"
 
 #include <nrd/types.h>

@@ -59,9 +59,11 @@ class Run
 {
 public:
     Run(const Options& options, Renderer& renderer)
-        : m_options(options), m_renderer(renderer), m_info(renderer.captureInfo()),
-          m_measurer(m_info, producedSignals(*options.denoiser))
+        : m_options(options), m_renderer(renderer), m_info(renderer.captureInfo())
     {
+        const bool isAlone = options.sets.size() == 1;
+        for (const DenoiserSet& set : options.sets)
+            m_columns.push_back({isAlone ? "denoised" : "denoised-" + set.name(), {m_info, producedSignals()}});
         if (!options.capture.empty()) m_writer.emplace(options.capture, m_info);
     }
 
@@ -75,12 +77,19 @@ public:
     }
 
 private:
-    static SignalSet producedSignals(const SampleDenoiser& denoiser)
+    // Of any set, so that all are held against the same noisy picture.
+    SignalSet producedSignals() const
     {
-        SignalSet set = {};
-        set[static_cast<size_t>(Signal::Diffuse)] = denoiser.hasRadiance(Lobe::Diffuse);
-        set[static_cast<size_t>(Signal::Specular)] = denoiser.hasRadiance(Lobe::Specular);
-        return set;
+        SignalSet produced = {};
+        const auto add = [&](Signal signal, bool isProduced) { produced[static_cast<size_t>(signal)] |= isProduced; };
+        for (const DenoiserSet& set : m_options.sets)
+        {
+            add(Signal::Diffuse, set.lobes->hasRadiance(Lobe::Diffuse));
+            add(Signal::Specular, set.lobes->hasRadiance(Lobe::Specular));
+        }
+        add(Signal::Shadow, m_options.hasShadowSignal);
+        add(Signal::Translucency, m_options.hasShadowSignal);
+        return produced;
     }
 
     void frame(uint32_t index)
@@ -88,6 +97,8 @@ private:
         const std::string place = "frame " + std::to_string(index + 1) + " of " + std::to_string(m_options.frames);
         m_progress.show(place);
         m_renderer.renderFrame();
+        if (m_options.switchEvery > 0 && index % m_options.switchEvery == 0)
+            std::printf("frame %u: %s\n", index, m_options.sets[m_renderer.shownSet()].name().c_str());
         const bool isLast = index + 1 == m_options.frames;
         const bool isReference = m_options.referenceSpp > 0 && m_options.referenceFrames.contains(index);
         const bool isNoisyWanted = isLast && !m_options.noisyScreenshot.empty();
@@ -107,34 +118,58 @@ private:
         if (index + 1 == m_options.frames && !m_options.referenceScreenshot.empty())
             writePicture(m_options.referenceScreenshot, composedOf(reference));
         if (m_options.demo.empty()) return;
-        const Signals denoised = m_renderer.readDenoised();
-        m_measurer.add(index, planes, reference, &denoised);
+        for (size_t i = 0; i < m_columns.size(); ++i)
+        {
+            const Signals denoised = readDenoised(i, planes);
+            m_columns[i].measurer.add(index, planes, reference, &denoised);
+        }
+    }
+
+    // What others denoise and this set doesn't is noisy, as in its composed picture.
+    Signals readDenoised(size_t set, const Planes& planes)
+    {
+        Signals signals = m_renderer.readDenoised(set);
+        Signals noisy = noisySignals(planes, m_info, producedSignals());
+        for (size_t s = 0; s < kSignalCount; ++s)
+            if (!signals.pictures[s].exists()) signals.pictures[s] = std::move(noisy.pictures[s]);
+        return signals;
     }
 
     void finishDemo()
     {
-        if (m_measurer.frames().empty())
+        if (m_columns.front().measurer.frames().empty())
             throw FileError("the demo has no frame with a reference; --frames is too small");
-        writeDemoPictures(m_options.demo, m_measurer.pictures());
-        printErrorTable(m_measurer);
+        writeDemoPictures(m_options.demo, m_columns);
+        printErrorTable(m_columns);
     }
 
     const Options& m_options;
     Renderer& m_renderer;
     const CaptureInfo m_info;
-    SequenceMeasurer m_measurer;
+    std::vector<DemoColumn> m_columns; // by set
     std::optional<CaptureWriter> m_writer;
     Progress m_progress;
 };
 
-void run(const Options& options)
+// What several denoisers side by side cost; each has its own history.
+void printMemory(const Options& options, const Renderer& renderer)
+{
+    if (options.sets.size() < 2) return;
+    std::printf("Every frame is denoised %zu times. Memory in MiB:", options.sets.size());
+    for (size_t i = 0; i < options.sets.size(); ++i)
+        std::printf("%s %s %.1f", i > 0 ? "," : "", options.sets[i].name().c_str(), renderer.denoiserMiB(i));
+    std::printf("\n");
+}
+
+void run(Options options)
 {
     if (options.listDevices)
     {
         for (const std::string& line : engine::listDevices()) std::printf("%s\n", line.c_str());
         return;
     }
-    const Stage stage = loadStage(options);
+    Stage stage = loadStage(options);
+    for (std::string& note : settleDenoisers(options, stage.scene)) stage.notes.push_back(std::move(note));
     engine::DeviceDesc deviceDesc = denoiserDeviceDesc();
     deviceDesc.device = options.device;
     deviceDesc.validation = options.validation;
@@ -144,6 +179,7 @@ void run(const Options& options)
     {
         Renderer renderer(device, stage, options);
         if (renderer.isFraming()) std::printf("The scene has no camera: using one that frames it.\n");
+        printMemory(options, renderer);
         Run(options, renderer).execute();
     }
     if (device.validationMessageCount() > 0)

@@ -11,7 +11,9 @@ namespace
 {
 constexpr const char* kFooter =
     "Against fireflies, in frames and references alike: a path whose demodulated radiance exceeds 250 is dimmed to\n"
-    "that, and --roughening blurs caustics. Blended materials are cut out at an alpha of one half.\n"
+    "that, and --roughening blurs caustics. Blended materials let light through, and are seen from an alpha of one "
+    "half "
+    "on.\n"
     "A denoiser of one lobe is shown with the other lobe noisy. A denoiser of occlusion gives a grey picture of the\n"
     "denoised hit distance, of both lobes their mean. --demo needs a denoiser of radiance.\n"
     "Exit code 0 means that everything asked for was done.";
@@ -21,7 +23,8 @@ template <class T> struct Named
     const char* name;
     T value;
 };
-constexpr Named<Lobes> kLobeNames[] = {{"both", Lobes::Both}, {"probabilistic", Lobes::Probabilistic}};
+constexpr Named<Lobes> kLobeNames[] = {
+    {"both", Lobes::Both}, {"probabilistic", Lobes::Probabilistic}, {"merged", Lobes::Merged}};
 constexpr Named<nrd::CheckerboardMode> kCheckerboardNames[] = {{"off", nrd::CheckerboardMode::OFF},
                                                                {"black", nrd::CheckerboardMode::BLACK},
                                                                {"white", nrd::CheckerboardMode::WHITE}};
@@ -35,8 +38,9 @@ template <class List> std::string oneOf(const List& list)
 }
 
 // An option that takes the name of a row of `rows` and stores its value.
-template <class T, size_t N>
-CLI::Option* addNamed(CLI::App& app, const char* option, const Named<T> (&rows)[N], T& value, const char* description)
+template <class T, size_t N, class Target>
+CLI::Option* addNamed(CLI::App& app, const char* option, const Named<T> (&rows)[N], Target& value,
+                      const char* description)
 {
     const auto parse = [&rows, &value, option](const std::string& name)
     {
@@ -45,13 +49,6 @@ CLI::Option* addNamed(CLI::App& app, const char* option, const Named<T> (&rows)[
         value = row->value;
     };
     return app.add_option_function<std::string>(option, parse, description);
-}
-
-void parseDenoiser(const std::string& name, Options& options)
-{
-    options.denoiser = findSampleDenoiser(name);
-    if (!options.denoiser)
-        throw CLI::ValidationError("--denoiser", "'" + name + "' is not " + oneOf(sampleDenoisers()));
 }
 
 void parseBuiltIn(const std::string& name, Options& options)
@@ -94,6 +91,8 @@ void addRendering(CLI::App& app, Options& o)
     app.add_option("--frames", o.frames, "Frames to render, default 33")->check(CLI::Range(1, 100000));
     app.add_option("--fps", o.framesPerSecond, "Frames per second of animation time, default 60")
         ->check(CLI::Range(1.0, 1000.0));
+    app.add_option("--sun-radius", o.sunRadius, "Angular radius of suns in degrees; default the scene's, 0.27 in glTF")
+        ->check(CLI::Range(0.0, 45.0));
     app.add_option("--bounces", o.bounces, "Rays of a path after the primary one, default 4")->check(CLI::Range(1, 64));
     app.add_option(
            "--roughening", o.roughening,
@@ -106,10 +105,19 @@ void addRendering(CLI::App& app, Options& o)
 // What is traced of the two lobes, and what becomes of them.
 void addLobes(CLI::App& app, Options& o)
 {
+    const auto parse = [&o](const std::string& text)
+    { o.sets = text == "auto" ? std::vector<DenoiserSet>() : parseDenoiserSets(text); };
     app.add_option_function<std::string>(
-           "--denoiser", [&o](const std::string& s) { parseDenoiser(s, o); },
-           oneOf(sampleDenoisers()) + "; default REBLUR_DIFFUSE_SPECULAR")
-        ->option_text("NAME");
+           "--denoiser", parse,
+           oneOf(sampleDenoisers()) + "; A,B compares several on the same input, A+SIGMA_... has the shadow denoised "
+                                      "apart; auto, the default, takes what the scene needs and says why")
+        ->option_text("NAMES");
+    app.add_option("--switch-every", o.switchEvery,
+                   "With several: show (in --screenshot) the next one every so many frames; all run in every frame")
+        ->check(CLI::Range(1, 100000));
+    app.add_flag("--shadow-signal", o.hasShadowSignal,
+                 "Trace the shadow of the sun, or else of a spot light, as a signal of its own, also where none of the "
+                 "denoisers takes it: for captures");
     app.add_option_function<std::vector<std::string>>(
            "--set",
            [&o](const std::vector<std::string>& texts)
@@ -121,8 +129,10 @@ void addLobes(CLI::App& app, Options& o)
         ->option_text("KEY=VALUE");
     addNamed(
         app, "--lobes", kLobeNames, o.lobes,
-        "both (default) traces a path for each lobe of a pixel; probabilistic traces one, for the lobe that chance "
-        "picks, and has the denoiser reconstruct hit distances")
+        "both traces a path for each lobe of a pixel; probabilistic traces one, for the lobe that chance picks, and "
+        "has "
+        "the denoiser reconstruct hit distances; merged traces one for both, as one diffuse signal; default both, or "
+        "what --denoiser auto chooses")
         ->option_text("WHICH");
     addNamed(app, "--checkerboard", kCheckerboardNames, o.checkerboard,
              "black or white: each lobe in every second pixel, the diffuse one in those of that colour in even frames; "
@@ -168,13 +178,33 @@ void addDevice(CLI::App& app, Options& o)
 void checkLobes(const Options& o)
 {
     const bool isCheckerboard = o.checkerboard != nrd::CheckerboardMode::OFF;
-    if (isCheckerboard && o.lobes == Lobes::Probabilistic)
-        throw CLI::ValidationError("--checkerboard", "--lobes probabilistic already leaves one lobe per pixel");
+    if (isCheckerboard && o.lobes.value_or(Lobes::Both) != Lobes::Both)
+        throw SettingError("--checkerboard: --lobes probabilistic or merged already traces one path per pixel");
+    for (const DenoiserSet& set : o.sets)
+        if (o.lobes == Lobes::Merged && set.lobes->format(Lobe::Specular) != LobeFormat::None)
+            throw SettingError("--lobes merged leaves no specular lobe to " + set.name());
+}
+
+void checkSettings(const Options& o)
+{
     if (o.settings.empty()) return;
-    if (o.denoiser->family == Family::None) throw CLI::ValidationError("--set", "there is no denoiser to set up");
+    if (std::all_of(o.sets.begin(), o.sets.end(), [](const DenoiserSet& set) { return set.isNone(); }))
+        throw SettingError("--set: there is no denoiser to set up");
     const ReplaySettings settings = denoiserSettings(o);
     if (settings.reblur.checkerboardMode != o.checkerboard || settings.relax.checkerboardMode != o.checkerboard)
-        throw CLI::ValidationError("--set", "checkerboardMode follows from --checkerboard");
+        throw SettingError("--set: checkerboardMode follows from --checkerboard");
+}
+
+// What depends on the denoisers, once they are known.
+void checkDenoisers(const Options& o)
+{
+    for (const DenoiserSet& set : o.sets)
+        if (!o.demo.empty() && !set.composesLight())
+            throw SettingError("--demo: --denoiser " + set.name() + " denoises no radiance");
+    if (o.switchEvery > 0 && o.sets.size() < 2)
+        throw SettingError("--switch-every: --denoiser names fewer than two, separated by commas");
+    checkLobes(o);
+    checkSettings(o);
 }
 
 // What depends on more than one option.
@@ -190,9 +220,7 @@ void complete(Options& o)
     if (o.referenceSpp > 0 && !hasFrames && (!o.capture.empty() || !o.demo.empty()))
         o.referenceFrames.every = o.demo.empty() ? 8 : 16;
     if (!o.referenceScreenshot.empty()) o.referenceFrames.list.push_back(o.frames - 1);
-    if (!o.demo.empty() && !o.denoiser->composesLight())
-        throw CLI::ValidationError("--demo", std::string("--denoiser ") + o.denoiser->name + " denoises no radiance");
-    checkLobes(o);
+    if (!o.sets.empty()) checkDenoisers(o);
 }
 } // namespace
 
@@ -204,8 +232,29 @@ ReplaySettings denoiserSettings(const Options& options)
                                                         ? nrd::HitDistanceReconstructionMode::AREA_3X3
                                                         : nrd::HitDistanceReconstructionMode::OFF;
     settings.reblur.hitDistanceReconstructionMode = settings.relax.hitDistanceReconstructionMode = mode;
-    applySettings(settings, options.denoiser->family, options.settings);
+    applySettings(settings, familiesOf(options.sets), options.settings);
     return settings;
+}
+
+std::vector<std::string> settleDenoisers(Options& options, const Scene& scene)
+{
+    std::vector<std::string> notes;
+    if (options.sets.empty())
+    {
+        SceneFacts facts = factsOf(scene);
+        facts.lobes = options.lobes;
+        if (!facts.lobes && options.checkerboard != nrd::CheckerboardMode::OFF) facts.lobes = Lobes::Both;
+        const DenoiserChoice choice = chooseDenoisers(facts, sampleDenoisers());
+        options.sets = {choice.set};
+        options.lobes = choice.lobes;
+        for (const std::string& reason : choice.reasons) notes.push_back("auto: " + reason);
+    }
+    options.lobes = options.lobes.value_or(Lobes::Both);
+    for (const DenoiserSet& set : options.sets) options.hasShadowSignal |= set.shadow != nullptr;
+    if (options.hasShadowSignal && !hasShadowLight(scene))
+        throw SettingError("the scene has neither a sun nor a spot light whose shadow could be a signal of its own");
+    checkDenoisers(options);
+    return notes;
 }
 
 bool ReferenceFrames::contains(uint32_t frame) const

@@ -1,7 +1,7 @@
 // The command line of nrd-sample.
 #pragma once
 #include "built_in_scenes.h"
-#include "denoise.h"
+#include "denoiser_choice.h"
 
 #include <filesystem>
 #include <optional>
@@ -24,9 +24,12 @@ struct Options
     std::filesystem::path scene;           // empty: a built-in one
     const BuiltInScene* builtIn = nullptr; // null: none was asked for
     std::filesystem::path environment;     // empty: none, or the default sky where nothing else shines
-    const SampleDenoiser* denoiser = findSampleDenoiser("REBLUR_DIFFUSE_SPECULAR"); // never null
-    std::vector<Assignment> settings;                                               // --set
-    Lobes lobes = Lobes::Both;
+    std::vector<DenoiserSet> sets;         // all run in every frame; empty: settleDenoisers() chooses
+    uint32_t switchEvery = 0;              // frames after which the next set is shown; 0: the first one is
+    std::vector<Assignment> settings;      // --set
+    std::optional<Lobes> lobes;            // nullopt: settleDenoisers() chooses
+    bool hasShadowSignal = false;          // also where a set denoises it
+    std::optional<float> sunRadius;        // degrees, [0; 45]; nullopt: the scene's
     nrd::CheckerboardMode checkerboard = nrd::CheckerboardMode::OFF;
     uint32_t width = 480; // pixels, [16; 8192]
     uint32_t height = 270;
@@ -49,7 +52,11 @@ struct Options
     bool listDevices = false;
 };
 
-/// What the options ask of the denoiser: the settings they imply, then --set. Throws SettingError.
+/// Fills in what the scene decides: the denoisers if they are to be chosen, and with them the signals. Returns a line
+/// for each choice. Throws SettingError when the scene or another option doesn't go with them.
+std::vector<std::string> settleDenoisers(Options& options, const Scene& scene);
+
+/// What the options ask of the denoisers: the settings they imply, then --set. Throws SettingError.
 ReplaySettings denoiserSettings(const Options& options);
 
 /// nullopt: everything is said and done (--help, --version, or an error on stderr), exit with `exitCode`.

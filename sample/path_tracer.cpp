@@ -15,10 +15,20 @@ constexpr uint32_t kSlotCount = 8;
 constexpr uint32_t kSceneBindings = 10; // constants and the texel buffers
 constexpr uint32_t kGroupSize = 8;      // pixels per side
 
-Shader shaderOf(uint32_t mode)
+struct ModeRow
 {
-    constexpr Shader kShaders[] = {Shader::TraceFrame, Shader::TraceReference, Shader::TracePlain};
-    return kShaders[mode];
+    Shader shader;
+    size_t targetCount; // images it writes
+};
+constexpr ModeRow kModes[] = {{Shader::TraceFrame, 15}, {Shader::TraceReference, 3}, {Shader::TracePlain, 2}};
+
+// What the tracer is asked for applies to frames; a reference has all samples, plain paths have nothing apart.
+TracerDesc descOfMode(TracerDesc desc, uint32_t mode)
+{
+    if (mode > 0) desc.checkerboard = nrd::CheckerboardMode::OFF;
+    if (mode > 1 || (mode > 0 && desc.lobes == Lobes::Probabilistic)) desc.lobes = Lobes::Both;
+    if (mode > 1) desc.hasShadowSignal = false;
+    return desc;
 }
 
 bool usesTextures(const Scene& scene)
@@ -31,7 +41,7 @@ bool usesTextures(const Scene& scene)
 }
 
 // Same order as the constant ids in scene_data.glsl and lobe_choice.glsl.
-std::vector<uint32_t> specializationOf(const Scene& scene, bool hasEnvironment, const TracerDesc& frames)
+std::vector<uint32_t> specializationOf(const Scene& scene, bool hasEnvironment, const TracerDesc& desc)
 {
     const auto any = [](const auto& list, auto predicate) { return std::any_of(list.begin(), list.end(), predicate); };
     const bool hasMask = any(scene.materials, [](const Material& m) { return m.alphaCutoff > 0.0f; });
@@ -43,8 +53,11 @@ std::vector<uint32_t> specializationOf(const Scene& scene, bool hasEnvironment, 
             hasPunctual,
             hasEnvironment,
             !scene.channels.empty(),
-            frames.lobes == Lobes::Probabilistic,
-            static_cast<uint32_t>(frames.checkerboard)};
+            desc.lobes == Lobes::Probabilistic,
+            static_cast<uint32_t>(desc.checkerboard),
+            desc.hasShadowSignal,
+            any(scene.materials, [](const Material& m) { return m.isBlended; }),
+            desc.lobes == Lobes::Merged};
 }
 
 uint32_t environmentLight(const SceneLights& lights)
@@ -93,6 +106,12 @@ void PathTracer::createImages()
         {&m_images.specularMotion, "traced specular motion"},
         {&m_sumDiffuse, "reference diffuse"},
         {&m_sumSpecular, "reference specular"}};
+    const uint32_t width = m_desc.hasShadowSignal ? m_desc.width : 1,
+                   height = m_desc.hasShadowSignal ? m_desc.height : 1;
+    for (const auto& [image, name] :
+         {std::pair(&m_images.shadow, "traced shadow"), std::pair(&m_images.sun, "traced sun"),
+          std::pair(&m_sumShadow, "reference shadow")})
+        *image = engine::Image(m_device, {name, width, height, VK_FORMAT_R32G32B32A32_SFLOAT});
     for (const auto& [image, name] : vectors) *image = create(name, VK_FORMAT_R32G32B32A32_SFLOAT);
 }
 
@@ -117,16 +136,16 @@ void PathTracer::createTables(const Scene& scene, const Environment* environment
 
 PathTracer::Program PathTracer::createProgram(const Scene& scene, const Environment* environment, uint32_t mode) const
 {
-    const ShaderBlob blob = shaderBlob(shaderOf(mode));
+    const ShaderBlob blob = shaderBlob(kModes[mode].shader);
     engine::ComputeDesc desc;
     desc.name = blob.name;
     desc.words = blob.words;
     desc.byteSize = blob.byteSize;
     desc.bindings.assign(kSceneBindings, VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER);
     desc.bindings[0] = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
-    desc.bindings.resize(kSceneBindings + (mode == 0 ? 13 : 2), VK_DESCRIPTOR_TYPE_STORAGE_IMAGE);
+    desc.bindings.resize(kSceneBindings + kModes[mode].targetCount, VK_DESCRIPTOR_TYPE_STORAGE_IMAGE);
     desc.setCount = kSlotCount;
-    desc.specialization = specializationOf(scene, environment != nullptr, mode == 0 ? m_desc : TracerDesc());
+    desc.specialization = specializationOf(scene, environment != nullptr, descOfMode(m_desc, mode));
     return {engine::ComputePipeline(m_device, desc), std::vector<VkDescriptorSet>(kSlotCount, VK_NULL_HANDLE)};
 }
 
@@ -162,6 +181,14 @@ void PathTracer::setPose(const Scene& scene, const ScenePose& pose, const Enviro
     m_nodeCount = bvh.nodeCount;
     m_lightCount = static_cast<uint32_t>(lights.lights.size());
     m_environmentConstants.z = environmentLight(lights);
+    m_shadowLight.reset();
+    if (m_desc.hasShadowSignal && lights.shadowLight == kNone)
+        throw SceneError("'" + scene.name + "' has neither a sun nor a spot light whose shadow could be a signal");
+    if (m_desc.hasShadowSignal)
+    {
+        m_shadowLightIndex = static_cast<uint32_t>(lights.shadowLight);
+        m_shadowLight = lights.lights[m_shadowLightIndex];
+    }
     m_sceneRadius = pose.bounds().radius();
     m_denoisingRange = std::max(1000.0f, 100.0f * m_sceneRadius);
 }
@@ -181,14 +208,16 @@ void PathTracer::recordFrame(VkCommandBuffer cmd, const View& view)
                                                  &i.direct,
                                                  &i.diffuseOrigin,
                                                  &i.specularOrigin,
-                                                 &i.specularMotion};
+                                                 &i.specularMotion,
+                                                 &i.shadow,
+                                                 &i.sun};
     record(cmd, m_frame, targets, view, glm::uvec4(m_desc.seed, view.frameIndex, 1, 1));
 }
 
 void PathTracer::recordReference(VkCommandBuffer cmd, const View& view, const ReferenceBatch& batch)
 {
     // Another seed than the frames', so that a frame is no part of its own reference.
-    record(cmd, m_reference, {&m_sumDiffuse, &m_sumSpecular}, view,
+    record(cmd, m_reference, {&m_sumDiffuse, &m_sumSpecular, &m_sumShadow}, view,
            glm::uvec4(m_desc.seed + 0x5EED, batch.first, batch.count, batch.first == 0));
 }
 
@@ -215,6 +244,7 @@ void PathTracer::record(VkCommandBuffer cmd, Program& program, const std::vector
     c.environment = m_environmentConstants;
     c.environment.w = m_desc.maxBounces;
     c.sampling = sampling;
+    c.shadow = glm::uvec4(m_shadowLightIndex, 0, 0, 0);
     std::memcpy(m_constants[m_slot].mapped().data(), &c, sizeof(c));
 
     std::vector<engine::Binding> bindings = {m_constants[m_slot], m_nodes,  m_triangles, m_vertices,    m_motion,

@@ -12,8 +12,9 @@ namespace sample
 /// How many paths a frame spends on a pixel that has both lobes.
 enum class Lobes : uint8_t
 {
-    Both,         // one path for each
-    Probabilistic // one path: for the lobe that chance picks, its radiance divided by the probability
+    Both,          // one path for each
+    Probabilistic, // one path: for the lobe that chance picks, its radiance divided by the probability
+    Merged         // one path for both, which makes one signal: `diffuse` with the factor of both; `specular` is 0
 };
 
 struct TracerDesc
@@ -27,10 +28,13 @@ struct TracerDesc
     float roughening = 0.5f;
     // A single path's demodulated radiance is scaled down to this in its brightest channel.
     float maxRadiance = 250.0f;
-    // Both are of frames; references always have all samples. What a pixel does not trace is 0 in every component.
+    // Of frames; references always have all samples. What a pixel does not trace is 0 in every component.
     Lobes lobes = Lobes::Both;
     nrd::CheckerboardMode checkerboard = nrd::CheckerboardMode::OFF; // each lobe in its half of the pixels
     glm::vec3 hitDistanceParameters = glm::vec3(3.0f, 0.1f, 20.0f);  // A (world units), B, C
+    // SceneLights::shadowLight lights the primary surface apart: not in `diffuse` and `specular`, but in `sun`, with
+    // its shadow in `shadow`. Needs hasShadowLight().
+    bool hasShadowSignal = false;
 };
 
 /// What one frame leaves behind; meaning as in the capture format, unless noted. Floats, so that no device's rounding
@@ -48,6 +52,8 @@ struct FrameImages
     engine::Image specularFactor;
     engine::Image direct;
     engine::Image specularMotion; // of what the specular path hits first; .w: 0 without a sample
+    engine::Image shadow;         // translucency, .w: distance. Without the signal this and the next are 1 x 1
+    engine::Image sun;            // what the light gives without its shadow, .w: distance to it, 0: infinite
     // Not in captures. Where a sample's radiance comes from: between the directions of the bounce and of the light that
     // was sampled at the surface, by luminance; up to unit length.
     engine::Image diffuseOrigin;
@@ -83,8 +89,9 @@ public:
     /// Records one noisy frame into images(), which are left in storage state. At most 8 recordings may be pending.
     void recordFrame(VkCommandBuffer cmd, const View& view);
 
-    /// Adds samples to sumDiffuse() and sumSpecular(): demodulated radiance and in .w normalised hit distance. With
-    /// the same view as a frame, their mean is the expectation of that frame.
+    /// Adds samples to sumDiffuse() and sumSpecular(): demodulated radiance and in .w normalised hit distance; and to
+    /// sumShadow(): translucency and in .w the share of rays that crossed nothing. With the same view as a frame, their
+    /// mean is the expectation of that frame.
     void recordReference(VkCommandBuffer cmd, const View& view, const ReferenceBatch& batch);
 
     /// Adds plain paths, without split and demodulation, to sumDiffuse(): what composing must agree with.
@@ -93,7 +100,11 @@ public:
     FrameImages& images() { return m_images; }
     engine::Image& sumDiffuse() { return m_sumDiffuse; }
     engine::Image& sumSpecular() { return m_sumSpecular; }
+    engine::Image& sumShadow() { return m_sumShadow; }
     const TracerDesc& desc() const { return m_desc; }
+
+    /// The light of the shadow signal as it stands in the pose; null without the signal.
+    const SceneLight* shadowLight() const { return m_shadowLight ? &*m_shadowLight : nullptr; }
 
     /// Surfaces further away count as sky, in world units; follows the size of the scene.
     float denoisingRange() const { return m_denoisingRange; }
@@ -114,7 +125,7 @@ private:
     TracerDesc m_desc;
     BvhBuilder m_builder;
     FrameImages m_images;
-    engine::Image m_sumDiffuse, m_sumSpecular;
+    engine::Image m_sumDiffuse, m_sumSpecular, m_sumShadow;
     engine::Buffer m_nodes, m_triangles, m_vertices, m_motion, m_materials, m_texels, m_lights, m_environment, m_energy;
     std::vector<engine::Buffer> m_constants; // ring
     uint32_t m_slot = 0;
@@ -125,5 +136,7 @@ private:
     glm::uvec4 m_environmentConstants = glm::uvec4(0); // size, light index
     uint32_t m_nodeCount = 0;
     uint32_t m_lightCount = 0;
+    uint32_t m_shadowLightIndex = 0;
+    std::optional<SceneLight> m_shadowLight;
 };
 } // namespace sample

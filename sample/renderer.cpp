@@ -21,16 +21,37 @@ TracerDesc tracerDesc(const Options& options)
     desc.seed = options.seed;
     desc.maxBounces = options.bounces;
     desc.roughening = options.roughening;
-    desc.lobes = options.lobes;
+    desc.lobes = options.lobes.value_or(Lobes::Both);
     desc.checkerboard = options.checkerboard;
     desc.hitDistanceParameters = hitDistanceParametersOf(denoiserSettings(options));
+    desc.hasShadowSignal = options.hasShadowSignal;
     return desc;
 }
 
-DenoiseDesc denoiseDesc(const Options& options, const Scene& scene)
+DenoiseDesc denoiseDesc(const Options& options, const Scene& scene, const DenoiserSet& set)
 {
-    return {*options.denoiser,         options.width,    options.height,         kFramesInFlight,
-            denoiserSettings(options), options.settings, !scene.channels.empty()};
+    return {set,
+            options.width,
+            options.height,
+            kFramesInFlight,
+            denoiserSettings(options),
+            options.settings,
+            !scene.channels.empty(),
+            options.hasShadowSignal};
+}
+
+CaptureLight toCapture(const SceneLight& light)
+{
+    CaptureLight out;
+    out.isLocal = light.kind != LightKind::Directional;
+    for (int i = 0; i < 3; ++i)
+    {
+        out.direction[size_t(i)] = -double(light.direction[i]);
+        out.position[size_t(i)] = double(light.position[i]);
+    }
+    out.tanAngularRadius = double(light.source.tanAngularRadius);
+    out.radius = double(light.source.radius);
+    return out;
 }
 
 const Environment* environmentOf(const Stage& stage) { return stage.environment ? &*stage.environment : nullptr; }
@@ -86,6 +107,8 @@ Stage loadStage(const Options& options)
     if (isDefault) stage.notes.push_back("No scene was given: showing the built-in Cornell box.");
     const BuiltInScene& builtIn = options.builtIn ? *options.builtIn : builtInScenes().front();
     stage.scene = options.scene.empty() ? builtIn.make() : loadGltf(options.scene);
+    for (PunctualLight& light : stage.scene.lights)
+        if (options.sunRadius) light.tanAngularRadius = std::tan(glm::radians(*options.sunRadius));
     if (!options.environment.empty()) stage.environment = makeEnvironment(readImage(options.environment));
     if (!stage.environment && !hasLights(stage.scene))
     {
@@ -97,12 +120,14 @@ Stage loadStage(const Options& options)
 
 Renderer::Renderer(const engine::Device& device, const Stage& stage, const Options& options)
     : m_device(device), m_stage(stage), m_options(options), m_pose(stage.scene),
-      m_tracer(device, stage.scene, environmentOf(stage), tracerDesc(options)),
-      m_denoise(device, denoiseDesc(options, stage.scene)), m_ring(device, kFramesInFlight)
+      m_tracer(device, stage.scene, environmentOf(stage), tracerDesc(options)), m_ring(device, kFramesInFlight)
 {
+    for (const DenoiserSet& set : options.sets)
+        m_stages.push_back(std::make_unique<DenoiseStage>(device, denoiseDesc(options, stage.scene, set)));
     const float aspect = float(options.width) / float(options.height);
     if (!findCamera(stage.scene, m_pose, aspect)) m_framing = frameBounds(m_pose.bounds(), aspect);
     m_tracer.setPose(stage.scene, m_pose, environmentOf(stage));
+    if (m_tracer.shadowLight()) m_firstLight = toCapture(*m_tracer.shadowLight());
 }
 
 Camera Renderer::currentCamera() const
@@ -126,9 +151,10 @@ void Renderer::renderFrame()
     m_frame.denoisingRange = m_tracer.denoisingRange();
     m_frame.deltaTimeMs = 1000.0f / m_options.framesPerSecond;
     m_frame.isCut = index == 0;
+    m_frame.shadowLight = m_tracer.shadowLight();
     VkCommandBuffer cmd = m_ring.begin();
     m_tracer.recordFrame(cmd, m_frame.view);
-    m_denoise.record(cmd, m_tracer.images(), m_frame);
+    for (auto& stage : m_stages) stage->record(cmd, m_tracer.images(), m_frame);
     m_ring.submit();
     m_ring.waitAll();
 }
@@ -153,6 +179,13 @@ Planes Renderer::readFrame()
     planes.set(Channel::DiffuseFactorR, readPicture(m_device, images.diffuseFactor), 3);
     planes.set(Channel::SpecularFactorR, readPicture(m_device, images.specularFactor), 3);
     planes.set(Channel::DirectR, readPicture(m_device, images.direct), 3);
+    if (m_options.hasShadowSignal)
+    {
+        const Image shadow = readPicture(m_device, images.shadow);
+        planes.set(Channel::ShadowDist, shadow, 1, 3);
+        planes.set(Channel::ShadowR, shadow, 3);
+        planes.set(Channel::SunR, readPicture(m_device, images.sun), 3);
+    }
     return planes;
 }
 
@@ -172,11 +205,17 @@ Planes Renderer::readSums(uint32_t samples, const Planes& frame)
 {
     Image diffuse = readPicture(m_device, m_tracer.sumDiffuse());
     Image specular = readPicture(m_device, m_tracer.sumSpecular());
-    for (Image* image : {&diffuse, &specular})
+    Image shadow = readPicture(m_device, m_tracer.sumShadow());
+    for (Image* image : {&diffuse, &specular, &shadow})
         for (float& x : image->rgba) x /= float(samples);
     Planes planes(frame.width, frame.height);
     planes.set(Channel::RefDiffuseR, diffuse, 4); // .w: the normalised hit distance
     planes.set(Channel::RefSpecularR, specular, 4);
+    if (m_options.hasShadowSignal)
+    {
+        planes.set(Channel::RefShadowV, shadow, 1, 3);
+        planes.set(Channel::RefShadowR, shadow, 3);
+    }
     Image composed(frame.width, frame.height);
     for (size_t i = 0; i < frame.pixelCount(); ++i)
     {
@@ -185,29 +224,42 @@ Planes Renderer::readSums(uint32_t samples, const Planes& frame)
                 frame[next(Channel::DirectR, c)][i] +
                 frame[next(Channel::DiffuseFactorR, c)][i] * diffuse.rgba[i * 4 + size_t(c)] +
                 frame[next(Channel::SpecularFactorR, c)][i] * specular.rgba[i * 4 + size_t(c)];
+        for (int c = 0; c < 3 && m_options.hasShadowSignal; ++c)
+            composed.rgba[i * 4 + size_t(c)] += frame[next(Channel::SunR, c)][i] * shadow.rgba[i * 4 + size_t(c)];
     }
     planes.set(Channel::RefComposedR, composed, 3);
     return planes;
 }
 
-Signals Renderer::readDenoised()
+Signals Renderer::readDenoised(size_t set)
 {
     constexpr Signal kRadiance[] = {Signal::Diffuse, Signal::Specular};
     constexpr Signal kHitDistance[] = {Signal::NormHitDist, Signal::SpecularNormHitDist};
     Signals signals;
     for (Lobe lobe : kLobes)
     {
-        engine::Image* denoised = m_denoise.denoised(lobe);
+        engine::Image* denoised = m_stages[set]->denoised(lobe);
         if (!denoised) continue;
         const Image image = readPicture(m_device, *denoised);
         const auto i = static_cast<size_t>(lobe);
-        if (m_options.denoiser->hasRadiance(lobe)) signals[kRadiance[i]] = toPlanes(image, 0, 3);
+        if (m_options.sets[set].lobes->hasRadiance(lobe)) signals[kRadiance[i]] = toPlanes(image, 0, 3);
         signals[kHitDistance[i]] = toPlanes(image, 3, 1);
+    }
+    if (engine::Image* denoised = m_stages[set]->denoisedShadow())
+    {
+        const Image image = readPicture(m_device, *denoised);
+        signals[Signal::Shadow] = toPlanes(image, 3, 1);
+        signals[Signal::Translucency] = toPlanes(image, 0, 3);
     }
     return signals;
 }
 
-Image Renderer::readComposed() { return readPicture(m_device, m_denoise.composed()); }
+Image Renderer::readComposed() { return readPicture(m_device, m_stages[shownSet()]->composed()); }
+
+size_t Renderer::shownSet() const
+{
+    return m_options.switchEvery > 0 ? frameIndex() / m_options.switchEvery % m_stages.size() : 0;
+}
 
 CaptureFrame Renderer::captureFrame() const
 {
@@ -217,6 +269,8 @@ CaptureFrame Renderer::captureFrame() const
     frame.isCut = m_frame.isCut;
     frame.viewToClip = toMatrix(m_frame.view.camera.viewToClip);
     frame.worldToView = toMatrix(m_frame.view.camera.worldToView);
+    if (m_frame.shadowLight && toCapture(*m_frame.shadowLight) != m_firstLight)
+        frame.light = toCapture(*m_frame.shadowLight);
     return frame;
 }
 
@@ -230,6 +284,7 @@ CaptureInfo Renderer::captureInfo() const
     const glm::vec3 h = m_tracer.desc().hitDistanceParameters;
     info.hitDistanceParameters = {double(h.x), double(h.y), double(h.z), -25.0};
     info.checkerboard = toCapture(m_options.checkerboard);
+    info.light = m_firstLight;
     return info;
 }
 
@@ -241,6 +296,9 @@ Image composeNoisy(const Planes& frame)
             image.rgba[i * 4 + size_t(c)] +=
                 frame[next(Channel::DiffuseR, c)][i] * frame[next(Channel::DiffuseFactorR, c)][i] +
                 frame[next(Channel::SpecularR, c)][i] * frame[next(Channel::SpecularFactorR, c)][i];
+    for (size_t i = 0; i < frame.pixelCount() && frame.has(Channel::SunR); ++i)
+        for (int c = 0; c < 3; ++c)
+            image.rgba[i * 4 + size_t(c)] += frame[next(Channel::SunR, c)][i] * frame[next(Channel::ShadowR, c)][i];
     return image;
 }
 

@@ -1,11 +1,13 @@
 // One run of the sample: frame after frame is posed, traced and denoised; what is asked for is read back.
 #pragma once
 #include "capture.h"
+#include "denoise.h"
 #include "engine/commands.h"
 #include "options.h"
 #include "signals.h"
 
 #include <functional>
+#include <memory>
 
 namespace sample
 {
@@ -34,17 +36,20 @@ public:
     Planes readFrame();
     /// Traces the reference of the last frame; `progress` gets the share that is done.
     Planes traceReference(const Planes& frame, uint32_t samples, const std::function<void(double)>& progress);
-    /// What the denoiser made of the lobes in the last frame, linear.
-    Signals readDenoised();
-    /// The composed picture of the last frame.
+    /// What a set of Options::sets made of its signals in the last frame, linear.
+    Signals readDenoised(size_t set);
+    /// The composed picture of the last frame, of the set that is shown.
     Image readComposed();
+    /// The set whose picture is the last frame's. All of them run in every frame, so that each is warm when its turn
+    /// comes.
+    size_t shownSet() const;
 
     /// How the last frame was seen, and the head of a capture of this run.
     CaptureFrame captureFrame() const;
     CaptureInfo captureInfo() const;
     /// True when the scene has no camera of its own.
     bool isFraming() const { return m_framing.has_value(); }
-    double denoiserMiB() const { return m_denoise.memoryMiB(); }
+    double denoiserMiB(size_t set) const { return m_stages[set]->memoryMiB(); }
 
 private:
     Camera currentCamera() const;
@@ -54,15 +59,16 @@ private:
     const Stage& m_stage;
     const Options& m_options;
     ScenePose m_pose;
-    std::optional<Camera> m_framing; // of a scene without camera
+    std::optional<Camera> m_framing;          // of a scene without camera
+    std::optional<CaptureLight> m_firstLight; // of the shadow signal, before the first frame
     PathTracer m_tracer;
-    DenoiseStage m_denoise;
+    std::vector<std::unique_ptr<DenoiseStage>> m_stages; // by set
     engine::FrameRing m_ring;
     DenoiseFrame m_frame;
     uint32_t m_nextFrame = 0;
 };
 
-/// direct + diffuse * diffuseFactor + specular * specularFactor of a frame's own signals.
+/// direct + sun * shadow + diffuse * diffuseFactor + specular * specularFactor of a frame's own signals.
 Image composeNoisy(const Planes& frame);
 /// The composed channels of a reference as a picture.
 Image composedOf(const Planes& reference);

@@ -37,7 +37,7 @@ std::vector<ReplayDenoiser> makeTable()
         row(Denoiser::SIGMA_SHADOW,                         Family::Sigma,     {V}),
         row(Denoiser::SIGMA_SHADOW_TRANSLUCENCY,            Family::Sigma,     {V, T}),
         row(Denoiser::REFERENCE,                            Family::Reference, {D}), // given the diffuse radiance
-        {"NONE", Denoiser::MAX_NUM, Family::None, {D, S, HD, HS}},
+        {"NONE", Denoiser::MAX_NUM, Family::None, {D, S, HD, HS, V, T}},
     };
 }
 // clang-format on

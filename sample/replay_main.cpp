@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <cstdio>
 #include <fstream>
 #include <iostream>
@@ -46,9 +47,11 @@ std::string versionText()
 void declareOptions(CLI::App& app, Options& options)
 {
     app.add_option("capture", options.capture, "Folder of the capture");
-    app.add_option("--denoiser", options.denoiser, "Name of the denoiser, or NONE to measure the noisy input only");
-    app.add_option("--out", options.out, "Folder for denoised_NNNN.exr and PNGs of the composed pictures");
-    app.add_option("--report", options.report, "File for the JSON report");
+    app.add_option("--denoiser", options.denoiser,
+                   "Name of the denoiser, or NONE to measure the noisy input only; A,B replays several one by one");
+    app.add_option("--out", options.out,
+                   "Folder for denoised_NNNN.exr and PNGs of the composed pictures; of several, one in it each");
+    app.add_option("--report", options.report, "File for the JSON report; of several, one each: NAME is put in");
     app.add_option("--peer", options.peer, "File with recorded figures, printed beside ours");
     app.add_option("--set", options.settings, "key=value: any field of the common or the denoiser's settings")
         ->take_all();
@@ -96,13 +99,41 @@ void showProgress(size_t done, size_t total)
         std::fprintf(stderr, "%zu of %zu frames\n", done, total);
 }
 
-const ReplayDenoiser& chosenDenoiser(const Options& options)
+const ReplayDenoiser& denoiserNamed(const std::string& name)
 {
-    if (options.denoiser.empty()) throw SettingError("--denoiser is missing; expected the name of a denoiser, or NONE");
-    if (const ReplayDenoiser* denoiser = findDenoiser(options.denoiser)) return *denoiser;
-    std::string text = "--denoiser " + options.denoiser + ": expected one of";
+    if (const ReplayDenoiser* denoiser = findDenoiser(name)) return *denoiser;
+    std::string text = "--denoiser " + name + ": expected one of";
     for (const ReplayDenoiser& denoiser : replayDenoisers()) text += std::string(" ") + denoiser.name;
     throw SettingError(text);
+}
+
+std::vector<const ReplayDenoiser*> chosenDenoisers(const Options& options)
+{
+    if (options.denoiser.empty()) throw SettingError("--denoiser is missing; expected the name of a denoiser, or NONE");
+    std::vector<const ReplayDenoiser*> chosen;
+    for (size_t at = 0; at <= options.denoiser.size();)
+    {
+        const size_t comma = std::min(options.denoiser.find(',', at), options.denoiser.size());
+        const ReplayDenoiser* denoiser = &denoiserNamed(options.denoiser.substr(at, comma - at));
+        if (std::find(chosen.begin(), chosen.end(), denoiser) != chosen.end())
+            throw SettingError(std::string("--denoiser ") + denoiser->name + " is there twice");
+        chosen.push_back(denoiser);
+        at = comma + 1;
+    }
+    return chosen;
+}
+
+// The options of one of several denoisers, whose outputs don't overwrite each other's.
+Options optionsOf(Options options, const ReplayDenoiser& denoiser, bool isAlone)
+{
+    options.denoiser = denoiser.name;
+    if (isAlone) return options;
+    if (!options.out.empty()) options.out = (std::filesystem::path(options.out) / denoiser.name).string();
+    if (options.report.empty()) return options;
+    const std::filesystem::path file = options.report;
+    options.report =
+        (file.parent_path() / (file.stem().string() + "-" + denoiser.name + file.extension().string())).string();
+    return options;
 }
 
 ShResolve chosenResolve(const Options& options)
@@ -132,8 +163,8 @@ ReplayGpuDesc gpuDesc(const Options& options, const Capture& capture, const Repl
 class Replay
 {
 public:
-    Replay(const Options& options, const Capture& capture, const ReplayDenoiser& denoiser)
-        : m_options(options), m_capture(capture), m_measurer(capture.info(), signalSetOf(denoiser))
+    Replay(Options options, const Capture& capture, const ReplayDenoiser& denoiser)
+        : m_options(std::move(options)), m_capture(capture), m_measurer(capture.info(), signalSetOf(denoiser))
     {
         m_report.capture = capture.info().name;
         m_report.denoiser = denoiser.name;
@@ -141,16 +172,17 @@ public:
         m_report.height = capture.info().height;
         if (denoiser.family == Family::None)
         {
-            if (!options.settings.empty()) throw SettingError("--set needs a denoiser, not NONE");
+            if (!m_options.settings.empty()) throw SettingError("--set needs a denoiser, not NONE");
             return;
         }
-        const ReplayGpuDesc desc = gpuDesc(options, capture, denoiser);
+        const ReplayGpuDesc desc = gpuDesc(m_options, capture, denoiser);
         m_report.settings = desc.settings;
         m_gpu = std::make_unique<ReplayGpu>(desc);
         m_report.device = m_gpu->deviceName();
     }
 
     const ReplayReport& report() const { return m_report; }
+    const Options& options() const { return m_options; }
 
     // Everything but the validation layers' verdict is in the report.
     const ReplayReport& run()
@@ -211,7 +243,7 @@ private:
         writeComposedPng(folder, "reference", index, m_measurer.pictures().reference);
     }
 
-    const Options& m_options;
+    const Options m_options;
     const Capture& m_capture;
     SequenceMeasurer m_measurer;
     ReplayReport m_report;
@@ -234,16 +266,28 @@ void prepareOutputs(const Options& options)
 int replay(const Options& options)
 {
     if (options.capture.empty()) throw SettingError("no capture is given; expected the folder of one");
-    const ReplayDenoiser& denoiser = chosenDenoiser(options);
+    const std::vector<const ReplayDenoiser*> denoisers = chosenDenoisers(options);
     const Capture capture = Capture::open(options.capture);
-    prepareOutputs(options);
-    Replay replay(options, capture, denoiser);
-    const std::optional<PeerFigures> peer = peerOf(options, replay.report());
-    const ReplayReport& report = replay.run();
-    if (!options.report.empty()) writeReport(options.report, report);
-    std::cout << formatReport(report, peer);
-    if (const uint32_t messageCount = replay.validationMessageCount())
-        throw engine::Error("the validation layers had " + std::to_string(messageCount) + " messages");
+    std::vector<std::unique_ptr<Replay>> replays;
+    for (const ReplayDenoiser* denoiser : denoisers)
+    {
+        const Options own = optionsOf(options, *denoiser, denoisers.size() == 1);
+        prepareOutputs(own);
+        replays.push_back(std::make_unique<Replay>(own, capture, *denoiser));
+    }
+    std::vector<ReplayReport> reports;
+    std::vector<std::optional<PeerFigures>> peers;
+    for (std::unique_ptr<Replay>& replay : replays)
+    {
+        peers.push_back(peerOf(options, replay->report()));
+        reports.push_back(replay->run());
+        if (!replay->options().report.empty()) writeReport(replay->options().report, reports.back());
+        std::cout << formatReport(reports.back(), peers.back());
+        if (const uint32_t messageCount = replay->validationMessageCount())
+            throw engine::Error("the validation layers had " + std::to_string(messageCount) + " messages");
+        replay.reset();
+    }
+    if (reports.size() > 1) std::cout << '\n' << formatSummary(reports, peers);
     return 0;
 }
 

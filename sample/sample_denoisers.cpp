@@ -22,6 +22,11 @@ SampleDenoiser relax(Denoiser denoiser, LobeFormat diffuse, LobeFormat specular)
     return {nrd::toString(denoiser), denoiser, Family::Relax, {diffuse, specular}};
 }
 
+SampleDenoiser sigma(Denoiser denoiser)
+{
+    return {nrd::toString(denoiser), denoiser, Family::Sigma, {LobeFormat::None, LobeFormat::None}};
+}
+
 // clang-format off
 std::vector<SampleDenoiser> makeTable()
 {
@@ -43,6 +48,8 @@ std::vector<SampleDenoiser> makeTable()
         relax(Denoiser::RELAX_SPECULAR_SH,                     None,        Sh),
         relax(Denoiser::RELAX_DIFFUSE_SPECULAR,                Radiance,    Radiance),
         relax(Denoiser::RELAX_DIFFUSE_SPECULAR_SH,             Sh,          Sh),
+        sigma(Denoiser::SIGMA_SHADOW),
+        sigma(Denoiser::SIGMA_SHADOW_TRANSLUCENCY),
         SampleDenoiser{nrd::toString(Denoiser::REFERENCE), Denoiser::REFERENCE, Family::Reference, {None, None}},
         SampleDenoiser{"NONE", Denoiser::MAX_NUM, Family::None, {None, None}}};
 }

@@ -33,6 +33,8 @@ struct SampleDenoiser
     LobeFormat format(Lobe lobe) const { return formats[static_cast<size_t>(lobe)]; }
     bool hasRadiance(Lobe lobe) const { return format(lobe) == LobeFormat::Radiance || format(lobe) == LobeFormat::Sh; }
     bool hasOcclusionOnly(Lobe lobe) const { return format(lobe) != LobeFormat::None && !hasRadiance(lobe); }
+    /// It takes the shadow signal, and no lobe.
+    bool isOfShadow() const { return family == Family::Sigma; }
     /// The composed picture consists of what the denoiser made of at least one lobe.
     bool composesLight() const { return hasRadiance(Lobe::Diffuse) || hasRadiance(Lobe::Specular); }
 };

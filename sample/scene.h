@@ -57,6 +57,7 @@ struct Material
     glm::vec3 emission = glm::vec3(0.0f);  // radiance, factor times strength
     float normalScale = 1.0f;
     float alphaCutoff = 0.0f; // a surface with alpha below it is not there; 0 = opaque
+    bool isBlended = false;   // lets light through, tinted; where alphaCutoff says it is there, rays still end at it
     bool isDoubleSided = false;
     TextureUse baseColorTexture;
     TextureUse metallicRoughnessTexture;
@@ -151,7 +152,7 @@ enum class LightType : uint8_t
     Spot
 };
 
-/// KHR_lights_punctual; shines along the node's -Z.
+/// KHR_lights_punctual with an extent, which glTF does not know; shines along the node's -Z.
 struct PunctualLight
 {
     LightType type = LightType::Point;
@@ -159,6 +160,8 @@ struct PunctualLight
     float range = 0.0f;                    // world units, 0 = without end
     float innerCosine = 1.0f;
     float outerCosine = 0.70710678f;
+    float radius = 0.05f;              // world units, of a disc that faces what it lights; not of directional ones
+    float tanAngularRadius = 0.00471f; // of directional ones: 0.27 degrees, as the sun's
 };
 
 struct Scene

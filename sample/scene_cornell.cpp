@@ -38,22 +38,6 @@ std::vector<Material> makeMaterials()
     return materials;
 }
 
-// Standing on y = 0 around the origin.
-Primitive makeBlock(int material, const glm::vec3& size)
-{
-    const glm::vec3 x(size.x, 0, 0), y(0, size.y, 0), z(0, 0, size.z);
-    const glm::vec3 low = -0.5f * (x + z), high = low + x + y + z;
-    Primitive p;
-    p.material = material;
-    addQuad(p, low, x, z);    // bottom
-    addQuad(p, low, y, x);    // back
-    addQuad(p, low, z, y);    // left
-    addQuad(p, high, -z, -x); // top
-    addQuad(p, high, -x, -y); // front
-    addQuad(p, high, -y, -z); // right
-    return p;
-}
-
 Mesh makeRoom()
 {
     const glm::vec3 low(-kHalfWidth, 0.0f, -kHalfDepth), high(kHalfWidth, kHeight, kHalfDepth);

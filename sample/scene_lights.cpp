@@ -85,6 +85,19 @@ void addPunctual(const Scene& scene, const ScenePose& pose, SceneLights& out, st
         powers.push_back(power);
     }
 }
+int findShadowLight(const std::vector<SceneLight>& lights)
+{
+    for (LightKind kind : {LightKind::Directional, LightKind::Spot})
+    {
+        int best = kNone;
+        for (size_t i = 0; i < lights.size(); ++i)
+            if (lights[i].kind == kind && (best == kNone || luminance(lights[i].source.intensity) >
+                                                                luminance(lights[size_t(best)].source.intensity)))
+                best = static_cast<int>(i);
+        if (best != kNone) return best;
+    }
+    return kNone;
+}
 } // namespace
 
 SceneLights collectLights(const Scene& scene, const ScenePose& pose, const Environment* environment)
@@ -108,7 +121,21 @@ SceneLights collectLights(const Scene& scene, const ScenePose& pose, const Envir
         powers.push_back(others > 0.0 ? std::clamp(sky, 0.25 * others, 4.0 * others) : 1.0);
     }
     out.table = buildAliasTable(powers);
+    out.shadowLight = findShadowLight(out.lights);
+    if (out.shadowLight != kNone) powers[size_t(out.shadowLight)] = 0.0;
+    out.primaryTable = buildAliasTable(powers);
     return out;
+}
+
+bool hasShadowLight(const Scene& scene)
+{
+    return std::any_of(scene.nodes.begin(), scene.nodes.end(),
+                       [&](const Node& node)
+                       {
+                           if (node.light == kNone) return false;
+                           const PunctualLight& light = scene.lights[size_t(node.light)];
+                           return light.type != LightType::Point && luminance(light.intensity) > 0.0;
+                       });
 }
 
 bool hasLights(const Scene& scene)

@@ -29,10 +29,17 @@ struct SceneLights
 {
     std::vector<SceneLight> lights;
     std::vector<AliasEntry> table; // one entry per light, by estimated power with a floor
+    // The light whose shadow can be a signal of its own: the strongest directional one, else the strongest spot; kNone
+    // without either.
+    int shadowLight = kNone;
+    std::vector<AliasEntry> primaryTable; // as `table`, but never that light
 };
 
 /// All lights of the pose. `environment` may be null.
 SceneLights collectLights(const Scene& scene, const ScenePose& pose, const Environment* environment);
+
+/// True when the scene has a light whose shadow can be a signal of its own.
+bool hasShadowLight(const Scene& scene);
 
 /// True when a material of the scene emits or a node carries a punctual light.
 bool hasLights(const Scene& scene);

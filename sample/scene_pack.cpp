@@ -131,7 +131,7 @@ Words packMaterials(const Scene& scene, const PackedTexels& texels)
         for (const TextureUse* use :
              {&m.baseColorTexture, &m.metallicRoughnessTexture, &m.normalTexture, &m.emissiveTexture})
             appendTexture(*use, scene, texels, out);
-        out.emplace_back(0); // 16 in all
+        out.emplace_back(m.isBlended, 0, 0, 0);
     }
     return out;
 }
@@ -193,6 +193,10 @@ Words packLights(const SceneLights& lights, const Bvh& bvh)
             out.push_back(words(light.position, bits(light.source.range)));
         out.push_back(words(light.direction, bits(light.source.innerCosine)));
         out.push_back(words(light.source.intensity, bits(light.source.outerCosine)));
+        const bool isSun = light.kind == LightKind::Directional;
+        const AliasEntry& primary = lights.primaryTable[i];
+        out.emplace_back(bits(isSun ? light.source.tanAngularRadius : light.source.radius), bits(primary.probability),
+                         bits(primary.threshold), primary.alias);
     }
     if (out.empty()) out.emplace_back(0);
     return out;

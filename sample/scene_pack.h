@@ -31,7 +31,7 @@ struct PackedGeometry
 };
 PackedGeometry packGeometry(const ScenePose& pose, const Bvh& bvh, const SceneLights& lights);
 
-/// 4 words of 16 bytes per light; `bvh` turns triangle indices into positions in the leaves.
+/// 5 words of 16 bytes per light; `bvh` turns triangle indices into positions in the leaves.
 Words packLights(const SceneLights& lights, const Bvh& bvh);
 
 /// 2 words of 16 bytes per texel.

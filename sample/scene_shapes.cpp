@@ -37,6 +37,43 @@ Primitive makeQuad(int material, const glm::vec3& origin, const glm::vec3& u, co
     return p;
 }
 
+Primitive makeBlock(int material, const glm::vec3& size)
+{
+    const glm::vec3 x(size.x, 0, 0), y(0, size.y, 0), z(0, 0, size.z);
+    const glm::vec3 low = -0.5f * (x + z), high = low + x + y + z;
+    Primitive p;
+    p.material = material;
+    addQuad(p, low, x, z);    // bottom
+    addQuad(p, low, y, x);    // back
+    addQuad(p, low, z, y);    // left
+    addQuad(p, high, -z, -x); // top
+    addQuad(p, high, -x, -y); // front
+    addQuad(p, high, -y, -z); // right
+    return p;
+}
+
+Primitive makeSphere(const glm::vec3& center, float radius, int material)
+{
+    constexpr int kRows = 32, kColumns = 64;
+    Primitive p;
+    p.material = material;
+    for (int y = 0; y <= kRows; ++y)
+        for (int x = 0; x <= kColumns; ++x)
+        {
+            const float theta = 3.14159265f * float(y) / kRows, phi = 6.2831853f * float(x) / kColumns;
+            const glm::vec3 n(std::sin(theta) * std::cos(phi), std::cos(theta), -std::sin(theta) * std::sin(phi));
+            p.positions.push_back(center + radius * n);
+            p.normals.push_back(n);
+        }
+    for (int y = 0; y < kRows; ++y)
+        for (int x = 0; x < kColumns; ++x)
+        {
+            const auto a = static_cast<uint32_t>(y * (kColumns + 1) + x), b = a + kColumns + 1;
+            for (uint32_t i : {a, b, b + 1, a, b + 1, a + 1}) p.indices.push_back(i);
+        }
+    return p;
+}
+
 glm::vec4 turnAboutY(float angle) { return {0.0f, std::sin(0.5f * angle), 0.0f, std::cos(0.5f * angle)}; }
 
 glm::vec4 turnAndTilt(float angle, float tilt)

@@ -11,6 +11,11 @@ Material makeMaterial(const char* name, const glm::vec3& color, float metallic, 
 void addQuad(Primitive& p, const glm::vec3& origin, const glm::vec3& u, const glm::vec3& v);
 Primitive makeQuad(int material, const glm::vec3& origin, const glm::vec3& u, const glm::vec3& v);
 
+/// Standing on y = 0 around the origin.
+Primitive makeBlock(int material, const glm::vec3& size);
+
+Primitive makeSphere(const glm::vec3& center, float radius, int material);
+
 /// A node that stands at `translation`, turned about Y.
 Node makeNode(const char* name, int mesh, const glm::vec3& translation, float angle);
 

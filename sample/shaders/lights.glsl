@@ -9,6 +9,7 @@ const uint kPointLight = 1u;
 const uint kSpotLight = 2u;
 const uint kDirectionalLight = 3u;
 const uint kEnvironmentLight = 4u;
+const int kLightWords = 5;
 
 struct LightSample
 {
@@ -100,12 +101,23 @@ LightSample sampleTriangle(Surface s, int triangle, vec2 u)
     return LightSample(direction, distance * 0.9999, emission, 2.0 * distance2 / (cosine * doubleArea));
 }
 
-LightSample samplePunctual(Surface s, int light, uint type)
+// A point of a disc across the unit vector `axis`; u = 0: its middle.
+vec3 sampleDisc(vec3 axis, float radius, vec2 u)
 {
-    vec4 place = uintBitsToFloat(texelFetch(gLights, 4 * light + 1)); // position, range
-    vec4 aim = uintBitsToFloat(texelFetch(gLights, 4 * light + 2));   // direction, inner cosine
-    vec4 power = uintBitsToFloat(texelFetch(gLights, 4 * light + 3)); // intensity, outer cosine
-    if (type == kDirectionalLight) return LightSample(-aim.xyz, 1e30, power.rgb, 0.0);
+    vec3 t, b;
+    makeFrame(axis, t, b);
+    float r = radius * sqrt(u.x), phi = 2.0 * kPi * u.y;
+    return t * (r * cos(phi)) + b * (r * sin(phi));
+}
+
+LightSample samplePunctual(Surface s, int light, uint type, vec2 u)
+{
+    vec4 place = uintBitsToFloat(texelFetch(gLights, kLightWords * light + 1)); // position, range
+    vec4 aim = uintBitsToFloat(texelFetch(gLights, kLightWords * light + 2));   // direction, inner cosine
+    vec4 power = uintBitsToFloat(texelFetch(gLights, kLightWords * light + 3)); // intensity, outer cosine
+    float radius = uintBitsToFloat(texelFetch(gLights, kLightWords * light + 4).x); // a sun's: tangent
+    if (type == kDirectionalLight)
+        return LightSample(normalize(sampleDisc(-aim.xyz, radius, u) - aim.xyz), 1e30, power.rgb, 0.0);
     vec3 toLight = place.xyz - s.position;
     float distance2 = max(dot(toLight, toLight), 1e-8);
     float distance = sqrt(distance2);
@@ -114,30 +126,37 @@ LightSample samplePunctual(Surface s, int light, uint type)
     float window = clamp(1.0 - ratio * ratio * ratio * ratio, 0.0, 1.0);
     float cone = clamp((-dot(direction, aim.xyz) - power.w) / max(aim.w - power.w, 1e-4), 0.0, 1.0);
     float fade = type == kSpotLight ? cone * cone : 1.0;
-    return LightSample(direction, distance * 0.9999, power.rgb * (window * fade / distance2), 0.0);
+    toLight += sampleDisc(direction, radius, u);
+    return LightSample(normalize(toLight), length(toLight) * 0.9999, power.rgb * (window * fade / distance2), 0.0);
 }
 
-float lightProbability(int light)
+// The word of a light's row that has its entry of the alias table; the primary surface leaves out the shadow's light.
+int tableWord(bool isPrimary)
 {
-    return uintBitsToFloat(texelFetch(gLights, 4 * light).y);
+    return kHasShadowLight && isPrimary ? 4 : 0;
 }
 
-LightSample sampleLights(Surface s, float choice, vec2 u)
+float lightProbability(int light, bool isPrimary)
 {
-    if (g.size.w == 0u) return LightSample(vec3(0.0, 1.0, 0.0), 0.0, vec3(0.0), 1.0);
+    return uintBitsToFloat(texelFetch(gLights, kLightWords * light + tableWord(isPrimary)).y);
+}
+
+LightSample sampleLights(Surface s, float choice, vec2 u, bool isPrimary)
+{
+    LightSample light = LightSample(vec3(0.0, 1.0, 0.0), 0.0, vec3(0.0), 1.0);
+    if (g.size.w == 0u) return light;
     float scaled = choice * float(g.size.w);
     uint index = min(uint(scaled), g.size.w - 1u);
-    uvec4 head = texelFetch(gLights, 4 * int(index));
-    if (scaled - float(index) >= uintBitsToFloat(head.z)) index = head.w;
-    head = texelFetch(gLights, 4 * int(index));
-    uint type = head.x;
-    LightSample light = LightSample(vec3(0.0, 1.0, 0.0), 0.0, vec3(0.0), 1.0);
+    uvec4 entry = texelFetch(gLights, kLightWords * int(index) + tableWord(isPrimary));
+    if (scaled - float(index) >= uintBitsToFloat(entry.z)) index = entry.w;
+    if (kHasShadowLight && isPrimary && index == g.shadow.x) return light; // it is the only one
+    uint type = texelFetch(gLights, kLightWords * int(index)).x;
     if (kHasTriangleLights && type == kTriangleLight)
-        light = sampleTriangle(s, int(texelFetch(gLights, 4 * int(index) + 1).x), u);
+        light = sampleTriangle(s, int(texelFetch(gLights, kLightWords * int(index) + 1).x), u);
     if (kHasPunctualLights && type != kTriangleLight && type != kEnvironmentLight)
-        light = samplePunctual(s, int(index), type);
+        light = samplePunctual(s, int(index), type, u);
     if (kHasEnvironment && type == kEnvironmentLight) light = sampleEnvironment(u);
-    float probability = uintBitsToFloat(head.y);
+    float probability = lightProbability(int(index), isPrimary);
     bool isDelta = light.pdf == 0.0;
     light.pdf *= probability;
     light.radiance /= max(isDelta ? probability : light.pdf, 1e-20);
@@ -145,12 +164,12 @@ LightSample sampleLights(Surface s, float choice, vec2 u)
 }
 
 // Density with which sampleLights() finds the point that a ray from `origin` hit after `distance`.
-float lightPdf(Surface hit, Hit at, float distance)
+float lightPdf(Surface hit, Hit at, float distance, bool isPrimary)
 {
     vec3 e1 = uintBitsToFloat(texelFetch(gTriangles, 3 * at.triangle + 1).xyz);
     vec3 e2 = uintBitsToFloat(texelFetch(gTriangles, 3 * at.triangle + 2).xyz);
     float cosine = max(dot(hit.geometricNormal, hit.view), 1e-6);
     float doubleArea = max(length(cross(e1, e2)), 1e-20);
-    return lightProbability(int(hit.light) - 1) * 2.0 * distance * distance / (cosine * doubleArea);
+    return lightProbability(int(hit.light) - 1, isPrimary) * 2.0 * distance * distance / (cosine * doubleArea);
 }
 #endif

@@ -6,6 +6,7 @@
 
 layout(constant_id = 6) const bool kIsProbabilistic = false; // one of the two lobes by chance
 layout(constant_id = 7) const uint kCheckerboardMode = 0u;   // nrd::CheckerboardMode, not together with the above
+layout(constant_id = 10) const bool kIsMerged = false;       // both lobes by one path, not together with either
 
 struct LobeChoice
 {
@@ -30,6 +31,7 @@ float lobeThreshold(ivec2 pixel, uint frameIndex)
 
 LobeChoice chooseLobes(Surface s, Bsdf b, ivec2 pixel, uint frameIndex)
 {
+    if (kIsMerged) return LobeChoice(kDiffuseLobe | kSpecularLobe, 1.0);
     bool hasDiffuse = brightest(s.albedo) > 0.0;
     uint all = hasDiffuse ? kDiffuseLobe | kSpecularLobe : kSpecularLobe;
     if (kCheckerboardMode != 0u)

@@ -77,13 +77,13 @@ Path startPath(Surface primary, Bsdf bsdf, uint lobes, uint index, uint seed, fl
 // Light that reaches this vertex directly.
 void addLight(inout Path path, float choice, vec2 u)
 {
-    LightSample light = sampleLights(path.surface, choice, u);
+    LightSample light = sampleLights(path.surface, choice, u, path.bounce == 0u);
     Evaluation toLight = evaluate(path.surface, path.bsdf, light.direction, path.lobes);
     vec3 contribution = path.throughput * toLight.value * light.radiance;
     contribution *= light.pdf > 0.0 ? powerHeuristic(light.pdf, toLight.pdf) : 1.0;
     float reach = brightest(contribution) > 0.0 ? light.distance : 0.0;
-    Hit shadow = traceRay(offsetOrigin(path.surface, light.direction), light.direction, reach, true);
-    contribution = shadow.triangle == kNoHit ? contribution : vec3(0.0);
+    vec3 origin = offsetOrigin(path.surface, light.direction);
+    contribution *= tracePassage(origin, light.direction, reach, true).transmittance;
     path.radiance += contribution;
     if (path.bounce == 0u) path.firstLight = light.direction * luminance(contribution);
 }
@@ -109,9 +109,11 @@ bool sampleDirection(inout Path path, vec2 u, float choice, float chance, out ve
 // Follows the sampled direction to the next surface and collects what shines there. False: there is no next vertex.
 bool advance(inout Path path, vec3 direction, float pdf, bool isAlive)
 {
-    Hit hit = traceRay(offsetOrigin(path.surface, direction), direction, isAlive ? 1e30 : 0.0, false);
-    bool isMiss = hit.triangle == kNoHit;
-    if (path.bounce == 0u)
+    vec3 origin = offsetOrigin(path.surface, direction);
+    Hit hit = traceRay(origin, direction, isAlive ? 1e30 : 0.0);
+    bool isMiss = hit.triangle == kNoHit, isPrimary = path.bounce == 0u;
+    path.throughput *= tintUpTo(origin, direction, hit.t);
+    if (isPrimary)
     {
         // A sample that points into its own surface is a contact, not "no sample".
         path.firstDistance = !isAlive ? 1e-3 : isMiss ? kMiss : clamp(hit.t, 1e-4, 65000.0);
@@ -121,7 +123,7 @@ bool advance(inout Path path, vec3 direction, float pdf, bool isAlive)
     if (kHasEnvironment && isAlive && isMiss)
     {
         vec4 sky = environmentAt(direction);
-        float skyPdf = sky.w * lightProbability(int(g.environment.z));
+        float skyPdf = sky.w * lightProbability(int(g.environment.z), isPrimary);
         path.radiance += path.throughput * sky.rgb * powerHeuristic(pdf, skyPdf);
     }
     isAlive = isAlive && !isMiss;
@@ -131,7 +133,7 @@ bool advance(inout Path path, vec3 direction, float pdf, bool isAlive)
     path.bsdf = makeBsdf(path.surface);
     if (kHasTriangleLights && isAlive && path.surface.light != 0u)
     {
-        float weight = powerHeuristic(pdf, lightPdf(path.surface, hit, hit.t));
+        float weight = powerHeuristic(pdf, lightPdf(path.surface, hit, hit.t, isPrimary));
         path.radiance += path.throughput * path.surface.emission * weight;
     }
     ++path.bounce;
@@ -143,7 +145,7 @@ bool advance(inout Path path, vec3 direction, float pdf, bool isAlive)
 struct Split
 {
     LobeChoice choice;
-    bool isPlain;       // both lobes together, without demodulation, into .diffuse
+    bool isTogether;    // both lobes by one path, into .diffuse
     vec3 diffuseFactor; // what demodulation divides by
     vec3 specularFactor;
 };
@@ -151,7 +153,7 @@ struct Split
 // The lobes of the `item`-th path of a pixel: two that are split take turns.
 uint lobesOf(uint item, Split split)
 {
-    bool hasTurns = !split.isPlain && bitCount(split.choice.lobes) == 2;
+    bool hasTurns = !split.isTogether && bitCount(split.choice.lobes) == 2;
     if (!hasTurns) return split.choice.lobes;
     return (item & 1u) == 0u ? kDiffuseLobe : kSpecularLobe;
 }
@@ -168,10 +170,10 @@ vec3 originOf(Path path)
 
 void finishPath(inout PathSums sums, Path path, Split split, vec2 hitDistanceScales)
 {
-    bool isDiffuse = path.firstLobes == kDiffuseLobe, isSpecular = path.firstLobes == kSpecularLobe;
-    vec3 factor = isDiffuse ? split.diffuseFactor : isSpecular ? split.specularFactor : vec3(1.0);
+    bool isSpecular = path.firstLobes == kSpecularLobe;
+    vec3 factor = isSpecular ? split.specularFactor : split.diffuseFactor;
     vec3 demodulated = bounded(path.radiance / factor) * split.choice.scale;
-    float scale = isDiffuse ? hitDistanceScales.x : hitDistanceScales.y;
+    float scale = isSpecular ? hitDistanceScales.y : hitDistanceScales.x;
     float normalized = path.firstDistance >= kMiss ? 1.0 : clamp(path.firstDistance / scale, 0.0, 1.0);
     if (isSpecular)
     {
@@ -196,7 +198,7 @@ PathSums tracePaths(Surface primary, float viewZ, float width, Split split, uint
     vec2 scales = vec2(g.hitDistanceParameters.x + g.hitDistanceParameters.y * abs(viewZ));
     scales.y *= mix(g.hitDistanceParameters.z, 1.0, lobeSpread(primary.roughness));
     Bsdf bsdf = makeBsdf(primary);
-    uint perSample = split.isPlain ? 1u : uint(bitCount(split.choice.lobes));
+    uint perSample = split.isTogether ? 1u : uint(bitCount(split.choice.lobes));
     uint total = g.sampling.z * perSample;
     uint item = 0u;
     bool isNew = true;

@@ -10,6 +10,8 @@ layout(constant_id = 2) const bool kHasTriangleLights = true;
 layout(constant_id = 3) const bool kHasPunctualLights = true;
 layout(constant_id = 4) const bool kHasEnvironment = true;
 layout(constant_id = 5) const bool kHasMotion = true;
+layout(constant_id = 8) const bool kHasShadowLight = true; // its light at the primary surface is a signal of its own
+layout(constant_id = 9) const bool kHasBlended = true;     // materials that let light through
 
 layout(set = 0, binding = 0, std140) uniform Constants { TraceConstants g; };
 layout(set = 0, binding = 1) uniform usamplerBuffer gNodes;       // 2 per node
@@ -18,7 +20,7 @@ layout(set = 0, binding = 3) uniform usamplerBuffer gVertices;    // 6 per trian
 layout(set = 0, binding = 4) uniform usamplerBuffer gMotion;      // 3 per triangle, previous minus current position
 layout(set = 0, binding = 5) uniform usamplerBuffer gMaterials;   // 16 per material
 layout(set = 0, binding = 6) uniform samplerBuffer gTexels;       // all mips of all textures
-layout(set = 0, binding = 7) uniform usamplerBuffer gLights;      // 4 per light
+layout(set = 0, binding = 7) uniform usamplerBuffer gLights;      // 5 per light
 layout(set = 0, binding = 8) uniform usamplerBuffer gEnvironment; // 2 per texel
 layout(set = 0, binding = 9) uniform samplerBuffer gEnergy;       // 32 x 32: NoV across, roughness down
 

@@ -73,6 +73,18 @@ vec4 colorOf(int triangle, vec2 b)
     return c0 * (1.0 - b.x - b.y) + c1 * b.x + c2 * b.y;
 }
 
+// Of a blended surface: what is not there has no colour either, so the tint comes with the alpha.
+vec3 fetchTransmittance(int triangle, int material, vec2 barycentrics)
+{
+    vec4 color = uintBitsToFloat(texelFetch(gMaterials, 16 * material));
+    if (kHasTextures)
+    {
+        vec4 texel = fetchTexture(triangle, material, kBaseColor, barycentrics, -20.0);
+        color *= vec4(srgbToLinear(texel.rgb), texel.a) * colorOf(triangle, barycentrics);
+    }
+    return (1.0 - color.a) * mix(vec3(1.0), color.rgb, min(4.0 * color.a, 1.0));
+}
+
 float fetchAlpha(int triangle, int material, vec2 barycentrics)
 {
     float factor = uintBitsToFloat(texelFetch(gMaterials, 16 * material).w);

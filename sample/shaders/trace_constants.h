@@ -21,6 +21,7 @@ struct TraceConstants
     uvec4 size;  // .xy pixels, .z nodes of one order of the hierarchy, .w lights
     uvec4 environment; // .xy texels, .z its index among the lights, .w largest number of bounces
     uvec4 sampling;    // .x seed, .y first index in the sequence, .z number of samples, .w 1: clear the sums first
+    uvec4 shadow;      // .x the light whose shadow is a signal of its own
 };
 
 #ifdef __cplusplus

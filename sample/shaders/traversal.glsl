@@ -12,6 +12,15 @@ struct Hit
     vec2 barycentrics; // of the second and third corner
 };
 
+// What a ray met that blended surfaces don't stop.
+struct Passage
+{
+    vec3 transmittance; // 0 behind an opaque surface
+    float distance;     // to the nearest opaque surface, else to the nearest blended one; kNever: it met nothing
+};
+
+const float kNever = 1e30;
+
 // A zero component would make infinity times zero in the slab test.
 vec3 safeInverse(vec3 d)
 {
@@ -27,8 +36,24 @@ bool isCutOut(int triangle, vec2 barycentrics)
     return fetchAlpha(triangle, int(material), barycentrics) < cutoff;
 }
 
+bool isBlended(int triangle)
+{
+    return texelFetch(gMaterials, 16 * int(texelFetch(gTriangles, 3 * triangle).w) + 15).x != 0u;
+}
+
+// Transmittances multiply in whatever order the surfaces are found.
+bool isPassed(int triangle, vec2 barycentrics, float t, inout Passage passage)
+{
+    int material = int(texelFetch(gTriangles, 3 * triangle).w);
+    vec3 through = fetchTransmittance(triangle, material, barycentrics);
+    if (brightest(through) < 1.0 / 512.0) return false;
+    passage.transmittance *= through;
+    if (through != vec3(1.0)) passage.distance = min(passage.distance, t);
+    return true;
+}
+
 // Moeller and Trumbore 1997; a degenerate triangle gives NaN, which fails every comparison.
-void testLeaf(uint leaf, vec3 origin, vec3 direction, inout Hit hit)
+void testLeaf(uint leaf, vec3 origin, vec3 direction, bool isSeeThrough, inout Hit hit, inout Passage passage)
 {
     int last = int(leaf >> 3) + int(leaf & 7u);
     for (int i = int(leaf >> 3); i < last; ++i)
@@ -44,13 +69,16 @@ void testLeaf(uint leaf, vec3 origin, vec3 direction, inout Hit hit)
         float t = dot(e2, q) * scale;
         // A hair wider than the triangle: rounding must not open cracks between neighbours.
         bool isHit = min(uv.x, uv.y) >= -kEdge && uv.x + uv.y <= 1.0 + kEdge && t > 0.0 && t < hit.t;
-        if (kHasAlphaMask) isHit = isHit && !isCutOut(i, uv);
+        if (kHasBlended && isSeeThrough && isBlended(i))
+            isHit = isHit && !isPassed(i, uv, t, passage);
+        else if (kHasAlphaMask)
+            isHit = isHit && !isCutOut(i, uv);
         if (isHit) hit = Hit(i, t, uv);
     }
 }
 
-// Nearest hit in (0; tMax), or with `isAnyEnough` the first that is found.
-Hit traceRay(vec3 origin, vec3 direction, float tMax, bool isAnyEnough)
+// Nearest hit in (0; tMax), or with `isAnyEnough` the first that is found. `isSeeThrough`: of what stops light.
+Hit traceRay(vec3 origin, vec3 direction, float tMax, bool isAnyEnough, bool isSeeThrough, inout Passage passage)
 {
     vec3 inverse = safeInverse(direction);
     vec3 shifted = -origin * inverse;
@@ -77,9 +105,30 @@ Hit traceRay(vec3 origin, vec3 direction, float tMax, bool isAnyEnough)
             node = isInside && b.w == 0u ? node + 1 : first + int(a.w);
         }
         if (leaf == 0u) break;
-        testLeaf(leaf, origin, direction, hit);
+        testLeaf(leaf, origin, direction, isSeeThrough, hit, passage);
         if (isAnyEnough && hit.triangle != kNoHit) break;
     }
     return hit;
+}
+
+// What a camera or a bounce sees: a blended surface, where its alpha is one half or more.
+Hit traceRay(vec3 origin, vec3 direction, float tMax)
+{
+    Passage unused = Passage(vec3(1.0), kNever);
+    return traceRay(origin, direction, tMax, false, false, unused);
+}
+
+// Of light on its way through (0; tMax); with `isAnyEnough` .distance is that of any opaque surface.
+Passage tracePassage(vec3 origin, vec3 direction, float tMax, bool isAnyEnough)
+{
+    Passage passage = Passage(vec3(1.0), kNever);
+    Hit hit = traceRay(origin, direction, tMax, isAnyEnough, true, passage);
+    return hit.triangle == kNoHit ? passage : Passage(vec3(0.0), hit.t);
+}
+
+// Of the blended surfaces before what traceRay() found at t, which may be one itself.
+vec3 tintUpTo(vec3 origin, vec3 direction, float t)
+{
+    return kHasBlended ? tracePassage(origin, direction, 0.9999 * t, true).transmittance : vec3(1.0);
 }
 #endif

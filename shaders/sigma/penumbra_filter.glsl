@@ -4,6 +4,7 @@
 // ivec2 pixel), of the last frames, kNone where there is none.
 #ifndef PENUMBRA_FILTER_GLSL
 #define PENUMBRA_FILTER_GLSL
+#extension GL_EXT_control_flow_attributes : require
 
 const int kRadius = 2;
 const ivec2 kHalo = ivec2(8 + 2 * kRadius, 16 + 2 * kRadius);
@@ -107,7 +108,7 @@ float planeWeight(Receiver r, ivec2 pixel, float viewZ)
 }
 
 // Small penumbrae dominate the mean: near a contact the narrow one is right.
-float widthWeight(float radius) { return 1.0 / (1.0 + radius); }
+float widthWeight(float radius) { return 1.0 / (1.0 + max(radius, 0.0)); } // a missing one may be -1
 
 struct Sums
 {
@@ -119,12 +120,11 @@ struct Sums
 
 void addSample(inout Sums sums, ShadowSample s, float weight)
 {
-    if (!(weight > 0.0)) return;
     sums.shadow += s.shadow * weight;
     sums.weight += weight;
-    if (isLit(s.radius)) return;
-    sums.radius += s.radius * weight * widthWeight(s.radius);
-    sums.radiusWeight += weight * widthWeight(s.radius);
+    float radiusWeight = isLit(s.radius) ? 0.0 : weight * widthWeight(s.radius);
+    sums.radius += s.radius * radiusWeight;
+    sums.radiusWeight += radiusWeight;
 }
 
 // What 5x5 pixels of the same surface hold.
@@ -142,19 +142,21 @@ Neighbourhood measureNeighbourhood(Receiver r, ShadowSample own)
     Sums sums = Sums(Shadow(0.0), 0.0, 0.0, 0.0);
     Shadow squares = Shadow(0.0);
     vec2 change = vec2(0.0); // .y weight
-    for (int i = 0; i < 25; i++)
+    // Unrolled and without branches here and below, so that the reads of all taps are under way at once.
+    [[unroll]] for (int i = 0; i < 25; i++)
     {
         ivec2 offset = ivec2(i % 5, i / 5);
         ivec2 local = ivec2(gl_LocalInvocationID.xy) + offset;
         Texel t = unpackTexel(sTexels[local.y][local.x]);
-        if (t.value.radius == kNone || isUnlit(t.value.radius)) continue;
         vec2 distance = vec2(offset - kRadius);
         float onPlane = i == 12 ? 1.0 : planeWeight(r, r.pixel + offset - kRadius, t.viewZ);
         float weight = onPlane * exp2(-0.238 * dot(distance, distance)); // exp(-0.66 (d / 2)^2)
+        bool isUsed = t.value.radius > 0.0; // neither missing nor facing away
+        weight = isUsed ? weight : 0.0;
         Shadow difference = t.value.shadow - own.shadow;
         addSample(sums, ShadowSample(difference, t.value.radius), weight);
         squares += difference * difference * weight;
-        if (t.past != kNone) change += vec2(visibility(t.value.shadow) - t.past, 1.0);
+        change += isUsed && t.past != kNone ? vec2(visibility(t.value.shadow) - t.past, 1.0) : vec2(0.0);
     }
     Neighbourhood n;
     Shadow mean = sums.shadow / sums.weight; // the centre counts at least
@@ -195,18 +197,19 @@ const vec3 kSparseTaps[8] = vec3[](
 void addSparse(inout Sums sums, Receiver r, float radius, vec4 rotator)
 {
     mat2 kernel = makeKernel(r) * min(radius * kKernelScale, kWidestKernel);
-    for (int i = 0; i < 8; i++)
+    [[unroll]] for (int i = 0; i < 8; i++)
     {
         vec2 offset = kernel * (kSparseTaps[i].x * rotator.xy + kSparseTaps[i].y * rotator.zw);
         vec2 uv = mirrorUv(pixelUv(r.pixel) + offset * g.rectSizeInv);
         ivec2 pixel = clampToRect(ivec2(uv * g.rectSize));
         float viewZ = decodeViewZ(texelFetch(gIn_ViewZ, guideTexel(pixel), 0).x);
-        if (!isInRange(viewZ)) continue;
         ShadowSample s = readFiltered(pixel, viewZ);
-        if (isUnlit(s.radius)) continue;
-        // Umbra under a near occluder stays out of the mean of a wide penumbra.
+        // Umbra under a near occluder stays out of the mean of a wide penumbra, and what faces away, 0, altogether.
         float weight = kSparseTaps[i].z * saturate(s.radius / radius) * planeWeight(r, pixel, viewZ);
-        addSample(sums, s, weight);
+        // What is out of range was not written, and times 0 it could still be no number.
+        bool isUsed = isInRange(viewZ);
+        s.shadow = isUsed ? s.shadow : Shadow(0.0);
+        addSample(sums, s, isUsed ? weight : 0.0);
     }
 }
 

@@ -2,8 +2,7 @@
 // 1e6 units), square root of visibility in 12, frames in 4, square roots of the colour in 11, 11 and 10.
 #ifndef SHADOW_HISTORY_GLSL
 #define SHADOW_HISTORY_GLSL
-#include "sigma.glsl"
-#include "history.glsl"
+#include "shadow_packing.glsl"
 
 const float kLongestHistory = 15.0; // frames
 const float kDepthOctaves = 34.0, kDepthFirstOctave = -14.0;

@@ -1,6 +1,7 @@
 // The last frame's shadow on the same surface. Needs gIn_Motion, gIn_History.
 #ifndef SHADOW_REPROJECTION_GLSL
 #define SHADOW_REPROJECTION_GLSL
+#include "history.glsl"
 #include "shadow_history.glsl"
 
 // By the distance from the receiver's plane: depths of a slanted one differ much from pixel to pixel.

@@ -299,6 +299,27 @@ TEST_CASE("REFERENCE and NONE replay too", "[gpu]")
     CHECK_FALSE(json.contains("gpuMs"));
 }
 
+TEST_CASE("several denoisers replay one by one, each as alone, and end in one table", "[gpu]")
+{
+    Folder folder;
+    const std::string capture = makeCapture(folder.path / "capture", {.isNoisy = true}).string();
+    const std::string out = (folder.path / "out").string(), report = (folder.path / "report").string();
+    const std::string common = capture + " --validation --set diffuseMaxAccumulatedFrameNum=8 --denoiser ";
+    const Outcome alone = run(common + "RELAX_DIFFUSE --report " + report + ".json");
+    INFO(alone.text);
+    REQUIRE(alone.exitCode == 0);
+    const Outcome both = run(common + "RELAX_DIFFUSE_SH,RELAX_DIFFUSE --report " + report + "-of.json --out " + out);
+    INFO(both.text);
+    REQUIRE(both.exitCode == 0);
+    const auto errorsIn = [](const std::string& file)
+    { return nlohmann::json::parse(std::ifstream(file))["mean"]["denoised"]["diffuse"]; };
+    CHECK(errorsIn(report + "-of-RELAX_DIFFUSE.json") == errorsIn(report + ".json"));
+    CHECK(errorsIn(report + "-of-RELAX_DIFFUSE_SH.json") != errorsIn(report + ".json"));
+    for (const char* name : {"RELAX_DIFFUSE", "RELAX_DIFFUSE_SH"})
+        CHECK(std::filesystem::exists(out + "/" + name + "/denoised_0000.exr"));
+    CHECK_THAT(both.text, containing("RELAX_DIFFUSE_SH, 48 x 32"));
+}
+
 TEST_CASE("bad input ends in one sentence and exit code 1", "[gpu]")
 {
     Folder folder;
@@ -311,6 +332,10 @@ TEST_CASE("bad input ends in one sentence and exit code 1", "[gpu]")
         {"--bogus", "--bogus"},
         {capture, "--denoiser"},
         {capture + " --denoiser FOO", "FOO"},
+        {capture + " --denoiser NONE,FOO", "FOO"},
+        {capture + " --denoiser NONE,", "expected one of"},
+        {capture + " --denoiser NONE,REFERENCE,NONE", "NONE is there twice"},
+        {capture + " --denoiser REFERENCE,RELAX_DIFFUSE --set maxAccumulatedFrameNum=4", "maxAccumulatedFrameNum"},
         {poor + " --denoiser REBLUR_DIFFUSE_SPECULAR", "normal.X"},
         {capture + " --denoiser REBLUR_DIFFUSE_SPECULAR --set foo=1", "foo"},
         {capture + " --denoiser REBLUR_DIFFUSE_SPECULAR --set splitScreen=7", "splitScreen"},

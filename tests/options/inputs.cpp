@@ -1,5 +1,6 @@
 #include "inputs.h"
 #include "signals.h"
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -29,6 +30,8 @@ rhi::Format toRhi(nrd::Format format)
         return rhi::Format::RGBA16_SNORM;
     case nrd::Format::A2B10G10R10_UNORM_PACK32:
         return rhi::Format::A2B10G10R10_UNORM_PACK32;
+    case nrd::Format::RGBA32_SFLOAT:
+        return rhi::Format::RGBA32_SFLOAT;
     default:
         return rhi::Format::RGBA16_SFLOAT;
     }
@@ -173,6 +176,8 @@ Frame makeFrame(const Setup& setup, const std::vector<nrd::ResourceRequirement>&
     Frame frame;
     frame.size = {divideUp(setup.size.x, setup.resolutionDivisor), divideUp(setup.size.y, setup.resolutionDivisor)};
     frame.rect = pixelsOf(setup, frameIndex);
+    frame.hasSky = std::any_of(needs.begin(), needs.end(),
+                               [](const nrd::ResourceRequirement& need) { return need.type == Slot::IN_VIEWZ; });
     const View view = makeView(setup, frameIndex);
     frame.guides = renderView(setup, view, frameIndex);
     const GuideMaker maker = {setup, frame, view, makeView(setup, std::max(frameIndex - 1, 0))};
@@ -185,6 +190,8 @@ Frame makeFrame(const Setup& setup, const std::vector<nrd::ResourceRequirement>&
             addGuide(maker, need.type);
         else if (constant)
             frame.inputs[need.type].assign(static_cast<size_t>(frame.size.x * frame.size.y), glm::vec4(*constant));
+        else if (need.type == Slot::IN_PENUMBRA || need.type == Slot::IN_TRANSLUCENCY)
+            addShadow(setup, frame, need.type, frameIndex);
         else if (!isOutput(need.type))
             addSignal(setup, frame, need.type, frameIndex);
     }

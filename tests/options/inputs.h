@@ -16,6 +16,7 @@ struct Frame
     glm::ivec2 size{0};     // of the images
     glm::ivec2 rect{0};     // the active part, outputs at its place
     quality::Guides guides; // of the rectangle
+    bool hasSky = true;     // false: without IN_VIEWZ every pixel counts
     std::map<nrd::ResourceType, rhi::Format> formats;
     std::map<nrd::ResourceType, Plane> inputs; // `size`
     std::map<nrd::ResourceType, Plane> noisy;  // `rect`, by output slot: what the noisy input says of each pixel
@@ -23,7 +24,10 @@ struct Frame
 
     size_t texel(int x, int y) const { return static_cast<size_t>(y * size.x + x); }
     size_t pixel(int x, int y) const { return static_cast<size_t>(y * rect.x + x); }
-    bool isInRange(int x, int y) const { return std::abs(guides.viewZ[pixel(x, y)]) < quality::kDenoisingRange; }
+    bool isInRange(int x, int y) const
+    {
+        return !hasSky || std::abs(guides.viewZ[pixel(x, y)]) < quality::kDenoisingRange;
+    }
 };
 
 // Least format, or a larger one, of a slot.

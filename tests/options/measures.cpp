@@ -16,6 +16,7 @@ glm::vec4 maskOf(Slot output)
     case Slot::OUT_SPEC_SH1:
         return {1, 1, 1, 0};
     case Slot::OUT_DIFF_DIRECTION_HITDIST:
+    case Slot::OUT_SHADOW_TRANSLUCENCY:
         return glm::vec4(1);
     default:
         return {1, 0, 0, 0};

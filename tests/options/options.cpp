@@ -1,6 +1,5 @@
 #include "options.h"
 #include <cstdlib>
-#include <span>
 
 namespace options
 {
@@ -10,11 +9,6 @@ using Common = nrd::CommonSettings;
 
 using Reconstruction = nrd::HitDistanceReconstructionMode;
 using Relax = nrd::RelaxSettings;
-
-void setCheckerboard(Setup& setup, nrd::CheckerboardMode mode)
-{
-    setup.changeSettings([mode](auto& s) { s.checkerboardMode = mode; });
-}
 
 void leaveHalfOut(Setup& setup, Reconstruction mode)
 {
@@ -27,10 +21,15 @@ void dropPrePass(Setup& setup)
     setup.changeSettings([](auto& s) { s.diffusePrepassBlurRadius = s.specularPrepassBlurRadius = 0.0f; });
 }
 
-const Option kSettings[] = {
-    {"defaults", [](Setup&) {}},
+const Option kDefaults[] = {{"defaults", [](Setup&) {}}};
+
+const Option kIncomplete[] = {
     {"checkerboard black", [](Setup& s) { setCheckerboard(s, nrd::CheckerboardMode::BLACK); }},
     {"checkerboard white", [](Setup& s) { setCheckerboard(s, nrd::CheckerboardMode::WHITE); }},
+    {"broken samples", [](Setup& s) { s.isBroken = true; }},
+};
+
+const Option kSettings[] = {
     {"reconstruction 3x3", [](Setup& s) { leaveHalfOut(s, Reconstruction::AREA_3X3); }},
     {"reconstruction 5x5", [](Setup& s) { leaveHalfOut(s, Reconstruction::AREA_5X5); }},
     {"checkerboard with reconstruction",
@@ -46,7 +45,6 @@ const Option kSettings[] = {
     {"no history fix", [](Setup& s) { s.changeSettings([](auto& r) { r.historyFixFrameNum = 0; }); }},
     {"wide history fix", [](Setup& s) { s.changeSettings([](auto& r) { r.historyFixBasePixelStride = 64; }); }},
     {"strict clamp", [](Setup& s) { s.changeSettings([](auto& r) { r.fastHistoryClampingSigmaScale = 1.0f; }); }},
-    {"broken samples", [](Setup& s) { s.isBroken = true; }},
     {"broken samples without pre-pass",
      [](Setup& s)
      {
@@ -127,7 +125,68 @@ const Option kRelaxWavelet[] = {
     {"edges relax by confidence", relaxByConfidence},
 };
 
-const Option kFrames[] = {
+void pointLight(Setup& s, glm::vec3 direction)
+{
+    for (int i = 0; i < 3; i++) s.sigmaSettings.lightDirection[i] = direction[i];
+}
+
+void placeLight(Setup& s, glm::vec3 position)
+{
+    s.sigmaSettings.isLightLocal = true;
+    for (int i = 0; i < 3; i++) s.sigmaSettings.lightPosition[i] = position[i] * s.unitsPerMeter;
+}
+
+void dropHistory(Setup& s) { s.hasHistory = false; }
+
+const Option kSigmaSettings[] = {
+    {"steep light",
+     [](Setup& s) {
+         pointLight(s, {0.2f, 3.0f, -0.1f});
+     }},
+    {"flat light",
+     [](Setup& s) {
+         pointLight(s, {1.0f, 0.1f, 0.3f});
+     }},
+    {"local light",
+     [](Setup& s) {
+         placeLight(s, {0.5f, 1.0f, 4.0f});
+     }},
+    {"light at the camera",
+     [](Setup& s) {
+         placeLight(s, {0.0f, 1.5f, -1.0f});
+     }},
+    {"thick planes", [](Setup& s) { s.sigmaSettings.planeDistanceSensitivity = 1.0f; }},
+    {"no stabilisation", [](Setup& s) { s.sigmaSettings.maxStabilizedFrameNum = 0; }},
+    {"longest stabilisation", [](Setup& s) { s.sigmaSettings.maxStabilizedFrameNum = 15; }},
+    {"no history", dropHistory},
+    {"no history, checkerboard",
+     [](Setup& s)
+     {
+         dropHistory(s);
+         setCheckerboard(s, nrd::CheckerboardMode::WHITE);
+     }},
+    {"no history, half resolution in a rectangle",
+     [](Setup& s)
+     {
+         dropHistory(s);
+         s.resolutionDivisor = 2;
+         s.rect = glm::max(s.size * 3 / 4, glm::ivec2(1));
+     }},
+    {"no history, split screen",
+     [](Setup& s)
+     {
+         dropHistory(s);
+         s.changeCommon = [](Common& common, int) { common.splitScreen = 0.5f; };
+     }},
+    {"checkerboard, half resolution",
+     [](Setup& s)
+     {
+         setCheckerboard(s, nrd::CheckerboardMode::BLACK);
+         s.resolutionDivisor = 2;
+     }},
+};
+
+const Option kLobeFrames[] = {
     {"confidence 0", [](Setup& s) { s.confidence = 0.0f; }},
     {"confidence 0.5", [](Setup& s) { s.confidence = 0.5f; }},
     {"threshold mix", [](Setup& s) { s.thresholdMix = 1.0f; }},
@@ -149,6 +208,9 @@ const Option kFrames[] = {
          s.hasMaterials = true;
          s.changeCommon = [](Common& common, int) { common.historyFixAlternatePixelStrideMaterialID = 1; };
      }},
+};
+
+const Option kFrames[] = {
     {"split screen 0.5", [](Setup& s) { s.changeCommon = [](Common& common, int) { common.splitScreen = 0.5f; }; }},
     {"split screen 1", [](Setup& s) { s.changeCommon = [](Common& common, int) { common.splitScreen = 1.0f; }; }},
     {"restart in the middle",
@@ -163,7 +225,7 @@ const Option kFrames[] = {
     {"half resolution", [](Setup& s) { s.resolutionDivisor = 2; }},
 };
 
-const Option kInputs[] = {
+const Option kPlaces[] = {
     {"large formats", [](Setup& s) { s.hasLargeFormats = true; }},
     {"rectangle with origin",
      [](Setup& s)
@@ -189,6 +251,10 @@ const Option kInputs[] = {
          s.viewZFactor = -0.125f;
          s.hasHalfViewZ = true;
      }},
+    {"jitter", [](Setup& s) { s.isJittered = true; }},
+};
+
+const Option kMotions[] = {
     {"2D motion", [](Setup& s) { s.motion = MotionKind::Screen; }},
     {"2.5D motion", [](Setup& s) { s.motion = MotionKind::Screen25; }},
     {"2.5D motion of negative scaled depths",
@@ -204,7 +270,6 @@ const Option kInputs[] = {
          s.motionFactor = 128.0f;
          s.sceneVelocity = {0.25f, 0.0f, 0.125f};
      }},
-    {"jitter", [](Setup& s) { s.isJittered = true; }},
 };
 } // namespace
 
@@ -216,9 +281,30 @@ const std::vector<Option>& allOptions(nrd::Denoiser denoiser)
         for (const auto& table : tables) all.insert(all.end(), table.begin(), table.end());
         return all;
     };
-    static const std::vector<Option> reblur = join({kSettings, kReblurSettings, kFrames, kInputs});
-    static const std::vector<Option> relax = join({kSettings, kRelaxHistory, kRelaxWavelet, kFrames, kInputs});
-    return isRelax(denoiser) ? relax : reblur;
+    static const std::vector<Option> reblur =
+        join({kDefaults, kIncomplete, kSettings, kReblurSettings, kLobeFrames, kFrames, kPlaces, kMotions});
+    static const std::vector<Option> relax = join(
+        {kDefaults, kIncomplete, kSettings, kRelaxHistory, kRelaxWavelet, kLobeFrames, kFrames, kPlaces, kMotions});
+    static const std::vector<Option> sigma = join({kDefaults, kIncomplete, kSigmaSettings, kFrames, kPlaces, kMotions});
+    static const std::vector<Option> reference = join({kDefaults, kFrames, kPlaces});
+    switch (familyOf(denoiser))
+    {
+    case Family::Reblur:
+        return reblur;
+    case Family::Relax:
+        return relax;
+    case Family::Sigma:
+        return sigma;
+    case Family::Reference:
+        break;
+    }
+    return reference;
+}
+
+std::span<const nrd::Denoiser> allDenoisers()
+{
+    const nrd::LibraryDesc& library = nrd::GetLibraryDesc();
+    return {library.supportedDenoisers, library.supportedDenoisersNum};
 }
 
 bool isFull() { return std::getenv("NRD_TEST_FULL") != nullptr; }
@@ -234,6 +320,7 @@ Setup makeSetup(nrd::Denoiser denoiser, glm::ivec2 size)
     Setup setup;
     setup.denoiser = denoiser;
     setup.size = setup.rect = size;
+    if (denoiser == nrd::Denoiser::REFERENCE) setup.speed = 0.0f; // another camera starts another mean
     return setup;
 }
 } // namespace options

@@ -1,30 +1,14 @@
 // Every option a denoiser has, as a change of a Setup.
 #pragma once
 #include "setup.h"
+#include <span>
 
 namespace options
 {
-constexpr nrd::Denoiser kDenoisers[] = {
-    nrd::Denoiser::REBLUR_DIFFUSE,
-    nrd::Denoiser::REBLUR_DIFFUSE_OCCLUSION,
-    nrd::Denoiser::REBLUR_DIFFUSE_SH,
-    nrd::Denoiser::REBLUR_SPECULAR,
-    nrd::Denoiser::REBLUR_SPECULAR_OCCLUSION,
-    nrd::Denoiser::REBLUR_SPECULAR_SH,
-    nrd::Denoiser::REBLUR_DIFFUSE_SPECULAR,
-    nrd::Denoiser::REBLUR_DIFFUSE_SPECULAR_OCCLUSION,
-    nrd::Denoiser::REBLUR_DIFFUSE_SPECULAR_SH,
-    nrd::Denoiser::REBLUR_DIFFUSE_DIRECTIONAL_OCCLUSION,
-    nrd::Denoiser::RELAX_DIFFUSE,
-    nrd::Denoiser::RELAX_DIFFUSE_SH,
-    nrd::Denoiser::RELAX_SPECULAR,
-    nrd::Denoiser::RELAX_SPECULAR_SH,
-    nrd::Denoiser::RELAX_DIFFUSE_SPECULAR,
-    nrd::Denoiser::RELAX_DIFFUSE_SPECULAR_SH,
-};
+std::span<const nrd::Denoiser> allDenoisers(); // that the library has
 
-// What costs much runs for all REBLUR but three RELAX, which have all of its lobes and signals; NRD_TEST_FULL in the
-// environment asks for all.
+// What costs much runs for all but RELAX, of which three run that have all of its lobes and
+// signals; NRD_TEST_FULL in the environment asks for all.
 bool isFull();
 bool isRepresentative(nrd::Denoiser denoiser);
 

@@ -10,7 +10,8 @@ namespace
 {
 using Slot = nrd::ResourceType;
 
-constexpr float kOutputPoison = 123.0f; // a float's; normalised formats store the nearest they have
+constexpr nrd::Identifier kWithoutHistory = 2; // added to the identifier, which is the divisor
+constexpr float kOutputPoison = 123.0f;        // a float's; normalised formats store the nearest they have
 
 void require(nrd::Result result, const nrd::NrdIntegration& integration)
 {
@@ -49,7 +50,8 @@ struct Runner::Impl
     std::vector<nrd::ResourceRequirement> requirements() const;
     test::Image& imageOf(Slot slot, const Frame& frame);
     void record(rhi::CommandBuffer& commands, Frame& frame);
-    nrd::Identifier identifier() const { return setup.resolutionDivisor; }
+    nrd::Identifier identifier() const { return setup.resolutionDivisor + (setup.hasHistory ? 0 : kWithoutHistory); }
+    nrd::Result setSettings();
 
     nrd::NrdIntegration integration;
     glm::ivec2 size{1};
@@ -61,6 +63,22 @@ void Runner::Impl::resize(glm::ivec2 to)
 {
     require(integration.Resize(static_cast<uint16_t>(to.x), static_cast<uint16_t>(to.y)), integration);
     size = to;
+}
+
+nrd::Result Runner::Impl::setSettings()
+{
+    switch (familyOf(setup.denoiser))
+    {
+    case Family::Reblur:
+        return integration.SetDenoiserSettings(identifier(), setup.settings);
+    case Family::Relax:
+        return integration.SetDenoiserSettings(identifier(), setup.relaxSettings);
+    case Family::Sigma:
+        return integration.SetDenoiserSettings(identifier(), setup.sigmaSettings);
+    case Family::Reference:
+        break;
+    }
+    return integration.SetDenoiserSettings(identifier(), nrd::ReferenceSettings());
 }
 
 std::vector<nrd::ResourceRequirement> Runner::Impl::requirements() const
@@ -116,11 +134,13 @@ void Runner::Impl::record(rhi::CommandBuffer& commands, Frame& frame)
 Runner::Runner(nrd::Denoiser denoiser, nrd::NormalEncoding normals, nrd::RoughnessEncoding roughness)
     : m_impl(std::make_unique<Impl>())
 {
-    // The identifier is the divisor.
-    const nrd::DenoiserDesc denoisers[] = {{1, denoiser, 1}, {2, denoiser, 2}};
+    const nrd::DenoiserDesc denoisers[] = {{1, denoiser, 1},
+                                           {2, denoiser, 2},
+                                           {1 + kWithoutHistory, denoiser, 1, false},
+                                           {2 + kWithoutHistory, denoiser, 2, false}};
     nrd::InstanceCreationDesc desc;
     desc.denoisers = denoisers;
-    desc.denoisersNum = 2;
+    desc.denoisersNum = familyOf(denoiser) == Family::Sigma ? 4 : 2;
     desc.normalEncoding = normals;
     desc.roughnessEncoding = roughness;
     require(m_impl->integration.Create(makeCreationDesc(), desc), m_impl->integration);
@@ -139,10 +159,7 @@ void Runner::start(const Setup& setup)
 void Runner::change(const Setup& setup)
 {
     m_impl->setup = setup;
-    nrd::NrdIntegration& integration = m_impl->integration;
-    require(isRelax(setup.denoiser) ? integration.SetDenoiserSettings(m_impl->identifier(), setup.relaxSettings)
-                                    : integration.SetDenoiserSettings(m_impl->identifier(), setup.settings),
-            integration);
+    require(m_impl->setSettings(), m_impl->integration);
 }
 
 Result Runner::denoise(int frameIndex)

@@ -3,7 +3,7 @@
 #include <cstring>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/type_ptr.hpp>
-#include <string>
+#include <string_view>
 
 namespace options
 {
@@ -64,11 +64,34 @@ void setMotion(const Setup& setup, nrd::CommonSettings& common)
 }
 } // namespace
 
-bool isRelax(nrd::Denoiser denoiser) { return std::string(nrd::toString(denoiser)).starts_with("RELAX"); }
+Family familyOf(nrd::Denoiser denoiser)
+{
+    const std::string_view name = nrd::toString(denoiser);
+    if (name.starts_with("REBLUR_")) return Family::Reblur;
+    if (name.starts_with("RELAX_")) return Family::Relax;
+    return name.starts_with("SIGMA_") ? Family::Sigma : Family::Reference;
+}
 
 nrd::CheckerboardMode checkerboardOf(const Setup& setup)
 {
-    return isRelax(setup.denoiser) ? setup.relaxSettings.checkerboardMode : setup.settings.checkerboardMode;
+    switch (familyOf(setup.denoiser))
+    {
+    case Family::Reblur:
+        return setup.settings.checkerboardMode;
+    case Family::Relax:
+        return setup.relaxSettings.checkerboardMode;
+    case Family::Sigma:
+        return setup.sigmaSettings.checkerboardMode;
+    case Family::Reference:
+        break;
+    }
+    return nrd::CheckerboardMode::OFF;
+}
+
+void setCheckerboard(Setup& setup, nrd::CheckerboardMode mode)
+{
+    setup.changeSettings([mode](auto& s) { s.checkerboardMode = mode; });
+    setup.sigmaSettings.checkerboardMode = mode;
 }
 
 glm::ivec2 rectOf(const Setup& setup, int frame)

@@ -1,5 +1,4 @@
-// What an option changes: the instance, the settings, the camera and the inputs of a run of any REBLUR or RELAX
-// denoiser.
+// What an option changes: the instance, the settings, the camera and the inputs of a run of any denoiser.
 #pragma once
 #include <functional>
 #include <glm/glm.hpp>
@@ -26,14 +25,24 @@ enum class MotionKind : uint8_t
     Screen25 // with the difference of depths
 };
 
+enum class Family : uint8_t
+{
+    Reblur,
+    Relax,
+    Sigma,
+    Reference
+};
+
 struct Setup
 {
     nrd::Denoiser denoiser = nrd::Denoiser::REBLUR_DIFFUSE_SPECULAR;
     nrd::NormalEncoding normalEncoding = nrd::NormalEncoding::R10_G10_B10_A2_UNORM;
     nrd::RoughnessEncoding roughnessEncoding = nrd::RoughnessEncoding::LINEAR;
     uint32_t resolutionDivisor = 1;   // 1 or 2
+    bool hasHistory = true;           // false: of SIGMA only
     nrd::ReblurSettings settings;     // of REBLUR
     nrd::RelaxSettings relaxSettings; // of RELAX
+    nrd::SigmaSettings sigmaSettings; // of SIGMA
 
     glm::ivec2 size{127, 63}; // resource, pixels
     glm::ivec2 rect{127, 63};
@@ -53,7 +62,7 @@ struct Setup
     float speed = 0.05f;           // of quality::makeCamera()
     bool isJittered = false;
 
-    float mean = 1.0f;          // luma of the signals
+    float mean = 1.0f;          // luma of the signals; of shadows a factor to what is visible of the light
     bool isHalfMissing = false; // half of the pixels have no sample of a lobe; the others count twice
     bool isBroken = false;      // one sample in sixteen is no number
     std::optional<float> confidence, thresholdMix;
@@ -66,7 +75,7 @@ struct Setup
     // RELAX only: RGB and hit distance in place of the noisy samples.
     std::function<glm::vec4(glm::ivec2 pixel, int frame)> sampleAt;
 
-    // What both families have, in whichever of them is used.
+    // What REBLUR and RELAX have, in whichever of them is used.
     template <class Change> void changeSettings(Change&& change)
     {
         change(settings);
@@ -74,8 +83,10 @@ struct Setup
     }
 };
 
-bool isRelax(nrd::Denoiser denoiser);
+Family familyOf(nrd::Denoiser denoiser);
+inline bool isRelax(nrd::Denoiser denoiser) { return familyOf(denoiser) == Family::Relax; }
 nrd::CheckerboardMode checkerboardOf(const Setup& setup);
+void setCheckerboard(Setup& setup, nrd::CheckerboardMode mode); // of every family that has it
 
 // A frame's camera, and its matrices as the application hands them over.
 struct View

@@ -91,6 +91,8 @@ Kind kindOf(Slot input)
         return {Slot::OUT_SPEC_SH0, true};
     case Slot::IN_SPEC_SH1:
         return {Slot::OUT_SPEC_SH1, true};
+    case Slot::IN_SIGNAL:
+        return {Slot::OUT_SIGNAL, false};
     default:
         FAIL("no signal: " << nrd::toString(input));
         return {};
@@ -127,6 +129,7 @@ glm::vec4 encode(Slot input, const Sample& s, const Setup& setup)
     if (isDirections(input)) return {s.direction * s.luma, 0.0f};
     return radiance(s.luma, s.hitDist);
 }
+} // namespace
 
 glm::vec4 asStored(rhi::Format format, glm::vec4 value)
 {
@@ -135,26 +138,24 @@ glm::vec4 asStored(rhi::Format format, glm::vec4 value)
     return test::decodeTexel(format, texel);
 }
 
-// Two pixels share a texel of a checkerboard, and one of them has data.
-Plane packCheckerboard(const Setup& setup, const Frame& frame, Slot input, int frameIndex, const Plane& samples)
+Plane packSamples(const Setup& setup, const Frame& frame, Slot slot, int frameIndex, bool isSpecular,
+                  const Plane& samples)
 {
-    const Kind kind = kindOf(input);
     const nrd::CheckerboardMode mode = checkerboardOf(setup);
-    Plane plane(static_cast<size_t>(frame.size.x * frame.size.y), poisonOf(frame.formats.at(input)));
+    const glm::vec4 poison = poisonOf(frame.formats.at(slot));
+    Plane plane(static_cast<size_t>(frame.size.x * frame.size.y), poison);
     for (int y = 0; y < frame.rect.y; y++)
     {
         for (int x = 0; x < frame.rect.x; x++)
         {
-            if (!hasData(mode, kind.isSpecular, {x, y}, frameIndex) || !frame.isInRange(x, y)) continue;
+            if (!hasData(mode, isSpecular, {x, y}, frameIndex) || !frame.isInRange(x, y)) continue;
             const bool isPacked = mode != nrd::CheckerboardMode::OFF;
             const bool isBroken = setup.isBroken && (x * 7 + y * 3 + frameIndex) % 16 == 0;
-            plane[frame.texel(isPacked ? x / 2 : x, y)] =
-                isBroken ? poisonOf(frame.formats.at(input)) : samples[frame.pixel(x, y)];
+            plane[frame.texel(isPacked ? x / 2 : x, y)] = isBroken ? poison : samples[frame.pixel(x, y)];
         }
     }
     return plane;
 }
-} // namespace
 
 bool hasData(nrd::CheckerboardMode mode, bool isSpecular, glm::ivec2 pixel, int frameIndex)
 {
@@ -184,6 +185,6 @@ void addSignal(const Setup& setup, Frame& frame, Slot slot, int frameIndex)
             means.push_back(asOutput(slot, encode(slot, truth, setup), setup));
         }
     }
-    frame.inputs[slot] = packCheckerboard(setup, frame, slot, frameIndex, samples);
+    frame.inputs[slot] = packSamples(setup, frame, slot, frameIndex, kind.isSpecular, samples);
 }
 } // namespace options

@@ -76,6 +76,29 @@ TEST_CASE("materials carry emissive strength, texture transforms and alpha masks
     CHECK(m.isDoubleSided);
     CHECK(m.metallic == 0.5f);
     CHECK(m.roughness == 0.25f);
+    CHECK_FALSE(m.isBlended);
+}
+
+TEST_CASE("blended materials let light through and are seen from one half on", "[unit]")
+{
+    GltfFile file = test::makeTriangle();
+    file.json["materials"] = {{{"alphaMode", "BLEND"}, {"alphaCutoff", 0.25}}};
+    const Material material = load(file).materials.at(0);
+    CHECK(material.isBlended);
+    CHECK(material.alphaCutoff == 0.5f);
+}
+
+TEST_CASE("a light's size is in its extras, where it makes sense", "[unit]")
+{
+    for (const auto& [extras, radius] : {std::pair(R"({"radius": 0.3})", 0.3f), std::pair(R"({"radius": -1})", 0.05f),
+                                         std::pair(R"({"radius": "big"})", 0.05f), std::pair("{}", 0.05f)})
+    {
+        GltfFile file = test::makeTriangle();
+        file.json["extensions"]["KHR_lights_punctual"]["lights"] = {
+            {{"type", "point"}, {"extras", nlohmann::json::parse(extras)}}};
+        INFO(extras);
+        CHECK(load(file).lights.at(0).radius == radius);
+    }
 }
 
 TEST_CASE("strips and fans become the triangles they are", "[unit]")

@@ -5,6 +5,7 @@
 #include "sample_denoisers.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <cstring>
 #include <fstream>
@@ -87,12 +88,132 @@ TEST_CASE("every denoiser choice runs", "[program]")
     {
         const char* name = row.name;
         const test::TemporaryFolder folder;
-        const Outcome outcome = run("--headless --validation --size 33x17 --frames 4 --jitter --denoiser " +
-                                    std::string(name) + " --screenshot " + (folder / "a.png").string());
+        const Outcome outcome =
+            run("--headless --validation --size 33x17 --frames 4 --jitter --denoiser " + std::string(name) +
+                (row.isOfShadow() ? " --scene panes" : "") + " --screenshot " + (folder / "a.png").string());
         INFO(name << ": " << outcome.errors);
         CHECK(outcome.exitCode == 0);
         CHECK(std::filesystem::exists(folder / "a.png"));
     }
+}
+
+TEST_CASE("several denoisers run on the same input, and each gives what it gives alone", "[program]")
+{
+    const test::TemporaryFolder folder;
+    const std::string common = "--headless --validation --size 48x32 --frames 12 --denoiser ";
+    const auto picture = [&](const std::string& name, const std::string& options)
+    {
+        const std::string file = (folder / (name + ".exr")).string();
+        const Outcome outcome = run(common + options + " --screenshot " + file);
+        INFO(outcome.errors);
+        CHECK(outcome.exitCode == 0);
+        return readText(file);
+    };
+    const std::string reblur = picture("reblur", "REBLUR_DIFFUSE_SPECULAR");
+    const std::string relax = picture("relax", "RELAX_DIFFUSE_SPECULAR");
+    CHECK(reblur != relax);
+    const std::string both = "REBLUR_DIFFUSE_SPECULAR,RELAX_DIFFUSE_SPECULAR";
+    CHECK(picture("first", both) == reblur);
+    // Shown from frame 11 on, with the history of the frames in which the other was.
+    CHECK(picture("switched", both + " --switch-every 11") == relax);
+    CHECK(picture("back", both + " --switch-every 5") == reblur);
+    const Outcome outcome = run(common + both + " --switch-every 6");
+    CHECK_THAT(outcome.output, containing("frame 0: REBLUR_DIFFUSE_SPECULAR\nframe 6: RELAX_DIFFUSE_SPECULAR\n"));
+    CHECK_THAT(outcome.output, containing("denoised 2 times. Memory in MiB: REBLUR_DIFFUSE_SPECULAR "));
+}
+
+TEST_CASE("the demo has a picture and a column of each denoiser", "[program]")
+{
+    const test::TemporaryFolder folder;
+    const Outcome outcome = run("--validation --size 64x36 --frames 9 --reference-spp 16 --reference-frames 7,8 "
+                                "--denoiser REBLUR_DIFFUSE,RELAX_DIFFUSE_SPECULAR --demo " +
+                                (folder / "demo").string());
+    INFO(outcome.errors);
+    REQUIRE(outcome.exitCode == 0);
+    for (const char* name : {"noisy.png", "denoised-REBLUR_DIFFUSE.png", "denoised-RELAX_DIFFUSE_SPECULAR.png",
+                             "reference.png", "side-by-side.png"})
+        CHECK(std::filesystem::exists(folder / "demo" / name));
+    double noisy = 0.0, reblur = 0.0, relax = 0.0;
+    const char* row = std::strstr(outcome.output.c_str(), "psnr ");
+    REQUIRE(row);
+    REQUIRE(std::sscanf(row, "psnr %lf %lf %lf", &noisy, &reblur, &relax) == 3);
+    CHECK((reblur > noisy && relax > noisy && reblur != relax));
+}
+
+TEST_CASE("a capture of a shadow that is traced apart adds up to its reference", "[program]")
+{
+    using sample::Channel;
+    const test::TemporaryFolder folder;
+    const Outcome outcome = run("--headless --validation --scene panes --size 64x36 --frames 2 --shadow-signal "
+                                "--denoiser NONE --sun-radius 3 --reference-spp 64 --reference-frames 1 --capture " +
+                                (folder / "capture").string());
+    INFO(outcome.errors);
+    REQUIRE(outcome.exitCode == 0);
+    const sample::Capture capture = sample::Capture::open(folder / "capture");
+    REQUIRE(capture.light(1));
+    CHECK_FALSE(capture.info().frames[1].light); // it stands still
+    CHECK_FALSE(capture.light(1)->isLocal);
+    CHECK(capture.light(1)->tanAngularRadius == Approx(std::tan(3.0 * 3.14159265 / 180.0)));
+    CHECK(capture.light(1)->direction[1] > 0.3);
+    const sample::Planes frame = capture.readFrame(1), reference = capture.readReference(1);
+    size_t penumbraCount = 0, wrongCount = 0;
+    for (size_t i = 0; i < frame.pixelCount(); ++i)
+    {
+        const float v = reference[Channel::RefShadowV][i];
+        penumbraCount += v > 0.1f && v < 0.9f;
+        wrongCount += v > reference[Channel::RefShadowG][i] + 1e-5f; // what is lit lets everything through
+        wrongCount += (frame[Channel::ShadowDist][i] == 0.0f) != (frame[Channel::SunG][i] == 0.0f);
+        for (int c = 0; c < 3; ++c)
+        {
+            const auto at = [&](const sample::Planes& planes, Channel first) { return planes[next(first, c)][i]; };
+            const float sum = at(frame, Channel::DirectR) +
+                              at(frame, Channel::SunR) * at(reference, Channel::RefShadowR) +
+                              at(frame, Channel::DiffuseFactorR) * at(reference, Channel::RefDiffuseR) +
+                              at(frame, Channel::SpecularFactorR) * at(reference, Channel::RefSpecularR);
+            wrongCount += std::abs(sum - at(reference, Channel::RefComposedR)) > 2e-3f * (1.0f + sum);
+        }
+    }
+    CHECK(penumbraCount > 20);
+    CHECK(wrongCount == 0);
+}
+
+TEST_CASE("a capture of a spot's shadow has its place and its size", "[program]")
+{
+    const test::TemporaryFolder folder;
+    test::GltfFile file = test::makeTriangle();
+    file.json["extensions"]["KHR_lights_punctual"]["lights"] = {
+        {{"type", "spot"}, {"spot", nlohmann::json::object()}, {"extras", {{"radius", 0.25}}}}};
+    file.json["nodes"].push_back(
+        {{"translation", {0.25, 0.25, 2.0}}, {"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}}});
+    file.json["scenes"][0]["nodes"] = {0, 1};
+    file.writeBinary(folder / "spot.glb");
+    const std::string path = (folder / "capture").string();
+    const Outcome outcome = run("--headless --validation --size 24x16 --frames 1 --shadow-signal --capture " + path +
+                                " " + (folder / "spot.glb").string());
+    INFO(outcome.errors);
+    REQUIRE(outcome.exitCode == 0);
+    const sample::Capture capture = sample::Capture::open(path);
+    const sample::CaptureLight* light = capture.light(0);
+    REQUIRE(light);
+    CHECK(light->isLocal);
+    CHECK(light->radius == 0.25);
+    CHECK(light->position == std::array<double, 3>{0.25, 0.25, 2.0});
+}
+
+TEST_CASE("auto says what it takes, and leaves out what the scene doesn't need", "[program]")
+{
+    const std::string common = "--headless --validation --size 32x18 --frames 2 ";
+    CHECK_THAT(run(common).output, containing("auto: REBLUR_DIFFUSE_SPECULAR: there are metals\nauto: no SIGMA"));
+    const test::TemporaryFolder folder;
+    test::GltfFile file = test::makeTriangle(); // without a material: glTF's default is a metal
+    file.json["materials"] = {{{"pbrMetallicRoughness", {{"metallicFactor", 0.0}, {"roughnessFactor", 1.0}}}}};
+    file.json["meshes"][0]["primitives"][0]["material"] = 0;
+    file.writeBinary(folder / "rough.glb");
+    const Outcome outcome = run(common + (folder / "rough.glb").string() + " --denoiser auto");
+    CHECK(outcome.exitCode == 0);
+    CHECK_THAT(outcome.output, containing("auto: REBLUR_DIFFUSE: no surface is metal or smoother than 0.9"));
+    CHECK_THAT(run(common + "--lobes merged").output, containing("auto: REBLUR_DIFFUSE: the lobes are asked for"));
+    CHECK(run(common + "--denoiser RELAX_DIFFUSE --lobes merged").exitCode == 0);
 }
 
 TEST_CASE("one lobe per pixel is denoised", "[program]")
@@ -217,6 +338,15 @@ TEST_CASE("bad arguments and broken files end in one sentence and exit code 1", 
     checkRefused(run("--headless --size 16x16 --frames 1 --set maxBlurRadius=-1"), "maxBlurRadius");
     checkRefused(run("--demo out --denoiser REBLUR_DIFFUSE_OCCLUSION"), "--demo");
     checkRefused(run("--headless --frames 0"), "--frames");
+    checkRefused(run("--headless --denoiser RELAX_DIFFUSE,RELAX_DIFFUSE"), "twice");
+    checkRefused(run("--headless --denoiser RELAX_DIFFUSE+REBLUR_SPECULAR"), "same picture");
+    checkRefused(run("--headless --denoiser RELAX_DIFFUSE --switch-every 4"), "--switch-every");
+    checkRefused(run("--headless --denoiser RELAX_DIFFUSE,NONE --switch-every 0"), "--switch-every");
+    checkRefused(run("--headless --denoiser RELAX_DIFFUSE_SPECULAR --lobes merged"), "--lobes merged");
+    checkRefused(run("--headless --checkerboard black --lobes merged"), "--checkerboard");
+    checkRefused(run("--headless --sun-radius 90"), "--sun-radius");
+    checkRefused(run("--headless --shadow-signal"), "neither a sun nor a spot");
+    checkRefused(run("--demo out --denoiser RELAX_DIFFUSE,NONE"), "NONE denoises no radiance");
     checkRefused(run("--headless --screenshot a.jpg"), "a.jpg");
     checkRefused(run("--headless --reference-frames every-1"), "every-K");
     checkRefused(run("--headless --unknown"), "--unknown");

@@ -12,7 +12,7 @@ namespace test
 {
 namespace
 {
-constexpr uint32_t kBatch = 64;
+constexpr uint32_t kBatch = 16; // llvmpipe gives all loops of an invocation 65536 turns together, then leaves them
 
 Pixels readPixels(engine::Image& image) { return engine::readBackAs<glm::vec4>(device(), image); }
 
@@ -47,7 +47,8 @@ engine::Device& device()
 
 glm::vec3 Traced::composed(size_t pixel) const
 {
-    return glm::vec3(direct[pixel] + diffuseMean[pixel] * diffuseFactor[pixel] +
+    const glm::vec4 light = sun.empty() ? glm::vec4(0.0f) : sun[pixel] * shadowMean[pixel];
+    return glm::vec3(direct[pixel] + light + diffuseMean[pixel] * diffuseFactor[pixel] +
                      specularMean[pixel] * specularFactor[pixel]);
 }
 
@@ -73,12 +74,15 @@ Traced trace(const Scene& scene, const Environment* environment, const TraceRequ
     out.direct = readPixels(images.direct);
     out.specularDirection = readPixels(images.specularDirection);
     out.specularMotion = readPixels(images.specularMotion);
+    if (request.desc.hasShadowSignal) out.shadow = readPixels(images.shadow);
+    if (request.desc.hasShadowSignal) out.sun = readPixels(images.sun);
     inBatches(request.samples, [&](VkCommandBuffer cmd, const ReferenceBatch& batch)
               { tracer.recordReference(cmd, request.view, batch); });
     if (request.samples > 0)
     {
         out.diffuseMean = meanOfSums(tracer.sumDiffuse(), request.samples);
         out.specularMean = meanOfSums(tracer.sumSpecular(), request.samples);
+        if (request.desc.hasShadowSignal) out.shadowMean = meanOfSums(tracer.sumShadow(), request.samples);
     }
     inBatches(request.plain,
               [&](VkCommandBuffer cmd, const ReferenceBatch& batch) { tracer.recordPlain(cmd, request.view, batch); });
@@ -109,28 +113,6 @@ Primitive makeFloor(float half, int material)
     p.positions = {{-half, 0, half}, {half, 0, half}, {half, 0, -half}, {-half, 0, -half}};
     p.normals.assign(4, glm::vec3(0, 1, 0));
     p.indices = {0, 1, 2, 0, 2, 3};
-    return p;
-}
-
-Primitive makeSphere(const glm::vec3& center, float radius, int material)
-{
-    constexpr int kRows = 32, kColumns = 64;
-    Primitive p;
-    p.material = material;
-    for (int y = 0; y <= kRows; ++y)
-        for (int x = 0; x <= kColumns; ++x)
-        {
-            const float theta = 3.14159265f * float(y) / kRows, phi = 6.2831853f * float(x) / kColumns;
-            const glm::vec3 n(std::sin(theta) * std::cos(phi), std::cos(theta), -std::sin(theta) * std::sin(phi));
-            p.positions.push_back(center + radius * n);
-            p.normals.push_back(n);
-        }
-    for (int y = 0; y < kRows; ++y)
-        for (int x = 0; x < kColumns; ++x)
-        {
-            const auto a = static_cast<uint32_t>(y * (kColumns + 1) + x), b = a + kColumns + 1;
-            for (uint32_t i : {a, b, b + 1, a, b + 1, a + 1}) p.indices.push_back(i);
-        }
     return p;
 }
 

@@ -1,6 +1,7 @@
 // Traces small scenes on the device, validation on, and reads everything back.
 #pragma once
 #include "path_tracer.h"
+#include "scene_shapes.h"
 
 #include <functional>
 
@@ -29,10 +30,12 @@ struct Traced
     std::vector<float> viewZ;
     Pixels normalRoughness, motion, diffuse, specular, diffuseFactor, specularFactor, direct;
     Pixels specularDirection, specularMotion;
+    Pixels shadow, sun;               // empty without the shadow signal
     Pixels diffuseMean, specularMean; // expectation by many samples, .w normalised hit distance
+    Pixels shadowMean;                // .w: share of the light that is visible
     Pixels plainMean;
 
-    /// direct plus both means times their factors.
+    /// direct plus all means times their factors.
     glm::vec3 composed(size_t pixel) const;
     size_t center() const { return (height / 2) * width + width / 2; }
 };
@@ -43,9 +46,9 @@ Traced trace(const sample::Scene& scene, const sample::Environment* environment,
 glm::vec3 meanOf(size_t pixelCount, const std::function<bool(size_t)>& isWanted,
                  const std::function<glm::vec3(size_t)>& value);
 
-/// Scenes: a square of side 2 * `half` at height 0 facing up, or a sphere.
+/// A square of side 2 * `half` at height 0 facing up.
 sample::Primitive makeFloor(float half, int material);
-sample::Primitive makeSphere(const glm::vec3& center, float radius, int material);
+using sample::makeSphere;
 sample::Scene makeScene(std::vector<sample::Primitive> primitives, std::vector<sample::Material> materials);
 sample::Material makeMaterial(const glm::vec3& color, float metallic, float roughness);
 } // namespace test

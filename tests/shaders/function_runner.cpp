@@ -19,6 +19,7 @@ std::unique_ptr<rhi::Buffer> makeBuffer(size_t byteSize, rhi::BufferMemory memor
 
 Shader shaderOf(int function)
 {
+    if (function >= FN_FIRST_OF_SHADOW_PACKING) return Shader::ShadowPackingFunctions;
     if (function >= FN_FIRST_OF_SHADOW) return Shader::ShadowFunctions;
     if (function >= FN_FIRST_OF_RESOLVE) return Shader::ResolveFunctions;
     return function < FN_FALLOFFS ? Shader::FrontEndFunctions : Shader::LibraryFunctions;

@@ -63,4 +63,11 @@
 #define FN_UNPACK_SHADOW 201 // a -> a.x unpacked; a unpacked
 #define FN_MULTI_LIGHT 202   // a = radiance, penumbra, b.xyz visibility; c, d and e, f likewise -> penumbra; packed
 
+// Between SIGMA's passes.
+#define FN_FIRST_OF_SHADOW_PACKING 300
+#define FN_RADIUS 300       // a.x -> code of 8 bits, decoded, second time round; decoded code a.y
+#define FN_DEPTH 301        // a.x -> unpacked
+#define FN_ROOTS 302        // a -> a stored in 8 bits each and read again; output's
+#define FN_PAST 303         // a = shadow, b.x frames -> shadow; frames
+
 #endif
