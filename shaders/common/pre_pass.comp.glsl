@@ -169,11 +169,7 @@ vec2 fireflyCap(ivec2 pixel, bool isUsed)
 #if HAS_SPECULAR
     if (isUsed) lumas[kSpecularChannel] = sampleLuma(gIn_Specular, pixel, true);
 #endif
-    ivec2 tile = ivec2(gl_WorkGroupID.xy);
-    Samples samples = gatherTile(lumas);
-    vec2 cap = findCap(tile, samples);
-    if (gl_LocalInvocationIndex == 0u) storeSpread(tile, samples, cap);
-    return cap;
+    return shareCap(ivec2(gl_WorkGroupID.xy), lumas);
 }
 #endif
 
