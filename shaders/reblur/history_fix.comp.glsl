@@ -202,9 +202,8 @@ float fixTapWeight(Pixel p, Lobe lobe, bool isSpecular, ivec2 pixel, Weights w)
     float viewZ = decodeViewZ(texelFetch(gIn_ViewZ, guideTexel(pixel), 0).x);
     Guide guide = decodeGuide(texelFetch(gIn_NormalRoughness, guideTexel(pixel), 0));
     if (!isInRange(viewZ) || !isSameMaterial(p.guide.materialID, guide.materialID, lobe.minMaterial)) return 0.0;
-    vec3 Xv = reconstructViewPosition(pixelUv(pixel), g.frustum, viewZ, g.cameraDelta.w);
     float weight = heavy(acosApprox(dot(p.guide.N, guide.N)) * w.normal);
-    weight *= soft(abs(dot(p.Nv, Xv - p.Xv)) * w.plane);
+    weight *= soft(planeDistance(p, vec2(pixel), viewZ));
     if (isSpecular) weight *= heavy(abs(square(guide.roughness) - square(p.guide.roughness)) * w.roughness);
     return weight;
 }

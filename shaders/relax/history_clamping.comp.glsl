@@ -109,8 +109,7 @@ float fixTapWeight(Pixel p, Lobe lobe, bool isSpecular, ivec2 pixel, Weights w)
     float viewZ = decodeViewZ(texelFetch(gIn_ViewZ, guideTexel(pixel), 0).x);
     Guide guide = decodeGuide(texelFetch(gIn_NormalRoughness, guideTexel(pixel), 0));
     if (!isInRange(viewZ) || !isSameMaterial(p.guide.materialID, guide.materialID, lobe.minMaterial)) return 0.0;
-    vec3 Xv = reconstructViewPosition(pixelUv(pixel), g.frustum, viewZ, g.cameraDelta.w);
-    float weight = soft(abs(dot(p.Nv, Xv - p.Xv)) * w.plane);
+    float weight = soft(planeDistance(p, vec2(pixel), viewZ));
     if (!isSpecular) return weight * pow(max(dot(p.guide.N, guide.N), 0.01), g.relaxFixNormalPower);
     weight *= heavy(acosApprox(dot(p.guide.N, guide.N)) * w.normal);
     return weight * soft(abs(guide.roughness - p.guide.roughness) * w.roughness);
@@ -150,9 +149,8 @@ Signal suppressFirefly(texture2D t, Pixel p, Lobe lobe, ivec2 position, Signal s
         if (i == 4 || clampToRect(pixel) != pixel) continue;
         float viewZ = decodeViewZ(texelFetch(gIn_ViewZ, guideTexel(pixel), 0).x);
         Guide guide = decodeGuide(texelFetch(gIn_NormalRoughness, guideTexel(pixel), 0));
-        vec3 Xv = reconstructViewPosition(pixelUv(pixel), g.frustum, viewZ, g.cameraDelta.w);
         bool isLike = isInRange(viewZ) && dot(guide.N, p.guide.N) > 0.99 &&
-                      abs(dot(p.Nv, Xv - p.Xv)) < g.planeDistanceSensitivity * p.frustumSize &&
+                      planeDistance(p, vec2(pixel), viewZ) < 1.0 &&
                       isSameMaterial(p.guide.materialID, guide.materialID, lobe.minMaterial);
         float Y = texelFetch(t, pixel, 0).x;
         if (isInRange(viewZ)) highest = max(highest, Y);
