@@ -193,15 +193,16 @@ vec2 tapPosition(Kernel kernel, int tap)
 
 bool isOnScreen(vec2 position)
 {
-    return all(greaterThanEqual(position, vec2(0.0))) && all(lessThanEqual(position, g.rectSize - 1.0));
+    return all(bvec4(greaterThanEqual(position, vec2(0.0)), lessThanEqual(position, g.rectSize - 1.0)));
 }
 
-// All taps, of which the inner ones lie between the outer ones. False for NaN.
+// All taps, of which the inner ones lie between the outer ones. False for NaN. Without the branches of &&.
 bool isOnScreen(Kernel kernel)
 {
     bool isInFront = kernel.centre.z - max(abs(kernel.axes[0].z), abs(kernel.axes[1].z)) > 1e-6;
-    return (kernel.isFlat || isInFront) && isOnScreen(tapPosition(kernel, 0)) && isOnScreen(tapPosition(kernel, 1)) &&
-           isOnScreen(tapPosition(kernel, 2)) && isOnScreen(tapPosition(kernel, 3));
+    bvec4 areOnScreen = bvec4(isOnScreen(tapPosition(kernel, 0)), isOnScreen(tapPosition(kernel, 1)),
+                              isOnScreen(tapPosition(kernel, 2)), isOnScreen(tapPosition(kernel, 3)));
+    return all(areOnScreen) && (kernel.isFlat || isInFront);
 }
 
 // Foreshortened disk: offsets shrink along the axis the surface is tilted about.
