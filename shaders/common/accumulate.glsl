@@ -30,16 +30,19 @@ float trackingCandidate(ivec2 pixel)
 
 void loadNeighbourhood(ivec2 group)
 {
-    for (int i = int(gl_LocalInvocationIndex); i < kHalo.x * kHalo.y; i += 128)
+    const int kNum = kHalo.x * kHalo.y;
+    // Without a branch, so that all reads are under way at once; the last texel is loaded repeatedly.
+    [[unroll]] for (int first = 0; first < kNum; first += 128)
     {
+        int i = min(first + int(gl_LocalInvocationIndex), kNum - 1);
         ivec2 local = ivec2(i % kHalo.x, i / kHalo.x);
         ivec2 pixel = clampToRect(group + local - 1);
         float viewZ = decodeViewZ(texelFetch(gIn_ViewZ, guideTexel(pixel), 0).x);
         bool isUsed = isInRange(viewZ);
         vec3 N = decodeGuide(texelFetch(gIn_NormalRoughness, guideTexel(pixel), 0)).N;
         sNormalViewZ[local.y][local.x] = vec4(N, isUsed ? viewZ : 0.0);
-        // What is out of range was not written.
-        sTracking[local.y][local.x] = isUsed ? trackingCandidate(pixel) : 0.0;
+        float tracking = trackingCandidate(pixel);
+        sTracking[local.y][local.x] = isUsed ? tracking : 0.0; // what is out of range was not written
     }
 }
 
@@ -91,22 +94,46 @@ HistoryRead surfaceRead(SurfaceTrack track)
     return HistoryRead(position, track.footprint.origin, track.weights, track.isCubic);
 }
 
-vec4 readTexture(texture2D t, HistoryRead read)
+struct History
+{
+    Signal signal;
+    float stabilized; // luma
+};
+
+vec4 readFast(HistoryRead read) { return fetchBilinear(gIn_Fast, read.origin, read.weights, lastPrevTexel()); }
+
+#if IS_STABILIZED
+#define STABILIZED(read) (kHasStabilization ? read[channel] : 0.0)
+#else
+#define STABILIZED(read) 0.0
+#endif
+
+// Both textures in one branch.
+History fetchHistory(texture2D t, int channel, HistoryRead read)
 {
     // Catmull-Rom keeps a moving history sharp; over invalid texels it would ring and leak.
-    if (read.isCubic) return fetchCatmullRom(t, gLinearClamp, makeCatmullRom(read.position, g.resourceSizeInvPrev));
-    return fetchBilinear(t, read.origin, read.weights, lastPrevTexel());
+    if (read.isCubic)
+    {
+        CatmullRom c = makeCatmullRom(read.position, g.resourceSizeInvPrev);
+        return History(Signal(fetchCatmullRom(t, gLinearClamp, c), vec3(0.0)),
+                       STABILIZED(fetchCatmullRom(gIn_Stab, gLinearClamp, c)));
+    }
+    return History(Signal(fetchBilinear(t, read.origin, read.weights, lastPrevTexel()), vec3(0.0)),
+                   STABILIZED(fetchBilinear(gIn_Stab, read.origin, read.weights, lastPrevTexel())));
 }
 
 // After a cut it stands in for no broken sample either.
-Signal readHistory(texture2D t, texture2D second, HistoryRead read)
+History readHistory(texture2D t, texture2D second, int channel, HistoryRead read)
 {
-    if (isHistoryReset()) return kNoSignal;
-    vec4 value = clampNegatives(readTexture(t, read));
-    if (!kIsSh) return Signal(value, vec3(0.0));
+    if (isHistoryReset()) return History(kNoSignal, 0.0);
+    History history = fetchHistory(t, channel, read);
+    history.signal.value = clampNegatives(history.signal.value);
+    history.stabilized = max(history.stabilized, 0.0);
+    if (!kIsSh) return history;
     bool isFound = dot(read.weights, vec4(1.0)) >= 1e-4;
     vec3 axis = decodeAxis(fetchBilinear(second, read.origin, read.weights, lastPrevTexel()).xyz);
-    return Signal(value, isFound ? axis * value.x : vec3(0.0));
+    history.signal.axis = isFound ? axis * history.signal.value.x : vec3(0.0);
+    return history;
 }
 
 // The pre-pass has made sure that everything is finite.
@@ -116,14 +143,6 @@ Signal readAccumulated(texture2D t, texture2D second, ivec2 pixel, out bool isVa
     Signal signal = readSignal(t, second, pixel);
     isValid = kIsBounded || signal.value.w >= 0.0;
     return signal;
-}
-
-float readStabilized(int channel, HistoryRead read)
-{
-#if IS_STABILIZED
-    if (kHasStabilization) return max(readTexture(gIn_Stab, read)[channel], 0.0);
-#endif
-    return 0.0;
 }
 
 // A pixel of a checkerboard without data was guessed from its neighbours and counts for less.

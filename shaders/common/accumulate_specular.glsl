@@ -29,35 +29,45 @@ float widenedRoughness(Surface s)
     return sqrt(saturate(square(s.guide.roughness) + variance));
 }
 
-// The neighbour's ray meets the tangent plane; its own normal says how the surface bends.
-bool edgePoint(Surface s, ivec2 offset, out vec3 X, out vec3 N)
+// In view space, where rays are cheap.
+struct ViewSurface
+{
+    vec3 X;
+    vec3 N;
+};
+
+vec3 viewPosition(vec2 uv, float viewZ) { return reconstructViewPosition(uv, g.frustum, viewZ, g.cameraDelta.w); }
+
+float planeDistance(ViewSurface v, vec3 X) { return abs(dot(v.N, X - v.X)); }
+
+// The neighbour's ray meets the tangent plane; its own normal says how the surface bends. edge: to there, view space.
+bool edgePoint(Surface s, ViewSurface v, ivec2 offset, out vec3 edge, out vec3 N)
 {
     vec4 other = neighbour(offset);
-    vec3 Xv = reconstructViewPosition(s.uv + vec2(offset) * g.rectSizeInv, g.frustum, 1.0, g.cameraDelta.w);
-    vec3 ray = rotate(g.viewToWorld, Xv);
-    vec3 direction = g.cameraDelta.w != 0.0 ? g.viewDirection.xyz : ray;
+    vec2 uv = s.uv + vec2(offset) * g.rectSizeInv;
+    vec3 ray = viewPosition(uv, 1.0);
+    vec3 direction = g.cameraDelta.w != 0.0 ? vec3(0.0, 0.0, -1.0) : ray;
     vec3 start = g.cameraDelta.w != 0.0 ? ray : vec3(0.0);
-    float cosine = dot(s.guide.N, direction);
-    X = start + direction * (dot(s.guide.N, s.X - start) / (abs(cosine) < 1e-6 ? 1e-6 : cosine));
+    float cosine = dot(v.N, direction);
+    edge = start + direction * (dot(v.N, v.X - start) / (abs(cosine) < 1e-6 ? 1e-6 : cosine)) - v.X;
     N = other.xyz;
     // Across a silhouette the neighbour says nothing of this surface.
-    vec3 otherXv = reconstructViewPosition(s.uv + vec2(offset) * g.rectSizeInv, g.frustum, other.w, g.cameraDelta.w);
-    float planeDistance = abs(dot(s.guide.N, rotate(g.viewToWorld, otherXv) - s.X));
-    return other.w > 0.0 && planeDistance < kCurvaturePlaneSensitivity * s.frustumSize;
+    return other.w > 0.0 && planeDistance(v, viewPosition(uv, other.w)) < kCurvaturePlaneSensitivity * s.frustumSize;
 }
 
 // Curvature along the apparent motion, convex > 0.
 float motionCurvature(Surface s, SurfaceTrack track)
 {
+    ViewSurface v = ViewSurface(viewPosition(s.uv, s.viewZ), s.guide.N * mat3(g.viewToWorld));
     vec2 weights = abs(track.direction) + 1.0 / 256.0;
-    vec3 Xx, Nx, Xy, Ny;
-    weights.x = edgePoint(s, ivec2(1, 0), Xx, Nx) ? weights.x : 0.0;
-    weights.y = edgePoint(s, ivec2(0, 1), Xy, Ny) ? weights.y : 0.0;
+    vec3 edgeX, Nx, edgeY, Ny;
+    weights.x = edgePoint(s, v, ivec2(1, 0), edgeX, Nx) ? weights.x : 0.0;
+    weights.y = edgePoint(s, v, ivec2(0, 1), edgeY, Ny) ? weights.y : 0.0;
     float sum = weights.x + weights.y;
-    vec3 X = s.X, N = s.guide.N;
+    vec3 edge = vec3(0.0), N = s.guide.N;
     if (sum > 0.0)
     {
-        X = (Xx * weights.x + Xy * weights.y) / sum;
+        edge = (edgeX * weights.x + edgeY * weights.y) / sum;
         N = (Nx * weights.x + Ny * weights.y) / sum;
     }
     // Under high parallax the distance really travelled is measured, which flattens the bumps of normal maps.
@@ -66,16 +76,14 @@ float motionCurvature(Surface s, SurfaceTrack track)
     {
         ivec2 pixel = clampToRect(ivec2(far * g.rectSize));
         float viewZ = decodeViewZ(texelFetch(gIn_ViewZ, guideTexel(pixel), 0).x);
-        vec3 Xv = reconstructViewPosition(pixelUv(pixel), g.frustum, viewZ, g.cameraDelta.w);
-        vec3 farX = rotate(g.viewToWorld, Xv);
-        float plane = abs(dot(s.guide.N, farX - s.X)) / (kCurvaturePlaneSensitivity * s.frustumSize);
-        if (isInRange(viewZ) && soft(plane) > 0.5)
+        vec3 farX = viewPosition(pixelUv(pixel), viewZ);
+        if (isInRange(viewZ) && soft(planeDistance(v, farX) / (kCurvaturePlaneSensitivity * s.frustumSize)) > 0.5)
         {
-            X = farX;
+            edge = farX - v.X;
             N = decodeGuide(texelFetch(gIn_NormalRoughness, guideTexel(pixel), 0)).N;
         }
     }
-    return curvatureFromEdge(s.X, s.guide.N, X, N);
+    return curvatureFromEdge(vec3(0.0), s.guide.N, rotate(g.viewToWorld, edge), N);
 }
 
 // How far the view may turn before a lobe of this width, reflecting something at this distance, has changed.
@@ -151,7 +159,7 @@ SpecularLengths measureLengths(Surface s, SurfaceTrack surface, VirtualTrack ima
         confidence = min(confidence, given);
     }
     vec2 n = vec2(applyConfidence(surface.n[kSpecularChannel], confidence.x), applyConfidence(image.n, confidence.y));
-    vec2 responsive = vec2(responsiveLength(roughness, dot(surface.NoN, surface.footprint.bilinear)),
+    vec2 responsive = vec2(responsiveLength(roughness, surface.NoN),
                            responsiveLength(roughness, image.NoN));
     SpecularLengths lengths;
     float surfaceTrust = surfaceConfidence(s, surface, roughness, normHitDist, motion) * image.stillness;
@@ -211,7 +219,8 @@ LobeResult accumulateSpecular(Surface s, SurfaceTrack surface)
     HistoryRead read = mixedRead(surface, image, amount);
     float n = mix(lengths.n.x, lengths.n.y, amount);
     result.n = mix(lengths.nFix.x, lengths.nFix.y, amount);
-    Signal history = readHistory(gIn_SpecularHistory, gIn_SpecularHistorySh, read);
+    History stored = readHistory(gIn_SpecularHistory, gIn_SpecularHistorySh, kSpecularChannel, read);
+    Signal history = stored.signal;
     if (!isValid) signal = history;
     float share = dataShare(s.pixel, true, n);
     Signal mixed = mixHistory(history, signal, n, share, s.guide.roughness);
@@ -221,11 +230,11 @@ LobeResult accumulateSpecular(Surface s, SurfaceTrack surface)
     mixed = storeConfidence(s.pixel, mixed, isHistoryReset() ? 0.0 : trust);
 #endif
     storeSignal(gOut_Specular, gOut_SpecularSh, s.pixel, mixed);
-    float fastHistory = fetchBilinear(gIn_Fast, read.origin, read.weights, lastPrevTexel())[kSpecularChannel];
+    float fastHistory = readFast(read)[kSpecularChannel];
     float fastWeight = specularFastWeight(s, n, trust, share);
     result.fast = limitFast(mixFast(fastHistory, luma(signal), fastWeight), luma(history), n);
     result.noisy = limitFast(luma(signal), luma(history), n);
-    result.stabHistory = readStabilized(kSpecularChannel, read);
+    result.stabHistory = stored.stabilized;
     float valid = mix(dot(surface.weights, vec4(1.0)), dot(image.weights, vec4(1.0)), amount);
     result.stabWeight = isHistoryReset() ? 0.0 : sqrt(saturate(valid));
     return result;

@@ -39,11 +39,10 @@ float reconstructionWeight(Pixel p, Lobe lobe, bool isSpecular, ivec2 pixel, vec
     float viewZ = decodeViewZ(texelFetch(gIn_ViewZ, guideTexel(pixel), 0).x);
     if (!isInRange(viewZ)) return 0.0;
     Guide guide = decodeGuide(texelFetch(gIn_NormalRoughness, guideTexel(pixel), 0));
-    vec3 Xv = reconstructViewPosition(pixelUv(pixel), g.frustum, viewZ, g.cameraDelta.w);
     float angle = max(atan(lobeTangent(lobe.roughness, 0.75)), normalEncodingError(kNormalEncoding));
     float weight = exp(-0.66 * 0.25 * dot(offset, offset));
     weight *= heavy(acosApprox(dot(p.guide.N, guide.N)) / angle);
-    weight *= soft(abs(dot(p.Nv, Xv - p.Xv)) / (g.planeDistanceSensitivity * p.frustumSize));
+    weight *= soft(planeDistance(p, vec2(pixel), viewZ));
     float m = square(p.guide.roughness);
     if (isSpecular) weight *= heavy(abs(square(guide.roughness) - m) / mix(0.01, 1.0, m));
     return weight;
@@ -97,14 +96,14 @@ Centre completeCentre(texture2D t, texture2D second, Pixel p, Lobe lobe, bool is
 }
 
 // Taps land on pixels that have data: a step to the left or right, by turns.
-vec2 snapToData(vec2 uv, bool isSpecular, int tap, out bool isInside)
+vec2 snapToData(vec2 position, bool isSpecular, int tap, out bool isInside)
 {
     isInside = true;
-    if (g.checkerboard == CHECKERBOARD_OFF) return uv;
-    ivec2 pixel = clampToRect(ivec2(mirrorUv(uv) * g.rectSize));
+    if (g.checkerboard == CHECKERBOARD_OFF) return position;
+    ivec2 pixel = foldedPlace(placeAt(position)).texel;
     if (!hasData(pixel, isSpecular)) pixel.x += (tap & 1) == 0 ? 1 : -1;
     isInside = clampToRect(pixel) == pixel;
-    return pixelUv(pixel);
+    return vec2(pixel);
 }
 
 #endif

@@ -33,8 +33,11 @@ struct Spread
     vec2 deviation;
 };
 
-shared vec2 sLumas[TILE_SIZE][TILE_SIZE];
-shared Samples sRows[TILE_SIZE];
+const int kPartNum = 64; // into which a tile is divided; a power of 4
+shared vec2 sLumas[TILE_SIZE * TILE_SIZE];
+shared Samples sParts[kPartNum];
+shared vec2 sKnownCaps[9]; // of the tile and its neighbours, before this frame
+shared vec2 sCap;
 
 const Samples kNoSamples = Samples(vec2(0.0), vec2(0.0), vec2(0.0), vec2(kNoLuma), vec2(kNoLuma));
 
@@ -62,24 +65,6 @@ void addSamples(inout Samples s, Samples other)
     addSample(s, other.second);
 }
 
-// lumas: this pixel's sample per lobe, kNoLuma if it has none. Has barriers.
-Samples gatherTile(vec2 lumas)
-{
-    ivec2 local = ivec2(gl_LocalInvocationID.xy);
-    sLumas[local.y][local.x] = lumas;
-    barrier();
-    if (local.x == 0)
-    {
-        Samples row = kNoSamples;
-        for (int i = 0; i < TILE_SIZE; i++) addSample(row, sLumas[local.y][i]);
-        sRows[local.y] = row;
-    }
-    barrier();
-    Samples tile = kNoSamples;
-    for (int i = 0; i < TILE_SIZE; i++) addSamples(tile, sRows[i]);
-    return tile;
-}
-
 Spread spreadOf(Samples s)
 {
     vec2 count = max(s.count, vec2(1.0)), mean = s.sum / count;
@@ -98,10 +83,10 @@ vec2 isKnown(Samples s) { return vec2(greaterThanEqual(s.count, vec2(kFewSamples
 vec2 capOf(Spread s) { return s.mean + kSpreadScale * s.deviation; }
 
 // What the frame itself says, or what was known before if that is more.
-vec2 findCap(ivec2 tile, Samples samples)
+vec2 findCap(Samples samples)
 {
     vec2 cap = isKnown(samples) * capOf(spreadOf(samples));
-    for (int i = 0; i < 9; i++) cap = max(cap, capOf(readSpread(tile + ivec2(i % 3, i / 3) - 1)));
+    for (int i = 0; i < 9; i++) cap = max(cap, sKnownCaps[i]);
     // Black so far; a tile full of black may cap what comes, one with hardly a pixel may not.
     return mix(cap, vec2(kNoCap), (1.0 - isKnown(samples)) * vec2(equal(cap, vec2(0.0))));
 }
@@ -116,6 +101,43 @@ void storeSpread(ivec2 tile, Samples samples, vec2 cap)
     vec2 mean = mix(before.mean, now.mean, share);
     vec2 variance = mix(before.deviation * before.deviation, now.deviation * now.deviation, share);
     imageStore(gOut_Spread, tile, roundToHalf(vec4(mean, sqrt(variance))));
+}
+
+// Some invocations gather the samples, others meanwhile what was known before.
+void gatherParts(ivec2 tile, int self)
+{
+    if (self < kPartNum)
+    {
+        Samples part = kNoSamples;
+        for (int i = self; i < TILE_SIZE * TILE_SIZE; i += kPartNum) addSample(part, sLumas[i]);
+        sParts[self] = part;
+    }
+    int i = self - kPartNum;
+    if (i >= 0 && i < 9) sKnownCaps[i] = capOf(readSpread(tile + ivec2(i % 3, i / 3) - 1));
+}
+
+// lumas: this pixel's sample per lobe, kNoLuma if it has none. The cap is the same for the group, so one invocation
+// finds it: in each of them it took half as long as the whole blur. Has barriers.
+vec2 shareCap(ivec2 tile, vec2 lumas)
+{
+    int self = int(gl_LocalInvocationIndex);
+    sLumas[self] = lumas;
+    barrier();
+    gatherParts(tile, self);
+    barrier();
+    for (int num = kPartNum / 4; num > 0; num /= 4)
+    {
+        if (self < num)
+            for (int i = 1; i < 4; i++) addSamples(sParts[self], sParts[self + i * num]);
+        barrier();
+    }
+    if (self == 0)
+    {
+        sCap = findCap(sParts[0]);
+        storeSpread(tile, sParts[0], sCap);
+    }
+    barrier();
+    return sCap;
 }
 
 #endif

@@ -122,13 +122,13 @@ Filtered prefilter(texture2D t, texture2D second, Pixel p, Lobe lobe, bool isSpe
     w.hitDist = kHitDistScale;
     uint seed = seedPixel(centre.pixel, g.frameIndex);
     float nearest = hitDist > 0.0 ? hitDist : 1e30;
+    vec4 axes = g.rotatorPrePass * radius;
     TapSums sums = TapSums(kNoSignal, kNoSignal, 0.0, 0.0, 0.0);
     for (int i = 0; i < 8; i++)
     {
-        vec2 uv = p.uv + rotateTap(g.rotatorPrePass, kTaps[i].xy) * radius * g.rectSizeInv;
         bool isInside;
-        uv = snapToData(uv, isSpecular, i, isInside);
-        Tap tap = readTap(gIn_ViewZ, gIn_NormalRoughness, p, lobe, w, uv, kTaps[i].z);
+        vec2 position = snapToData(p.position + rotateTap(axes, kTaps[i].xy), isSpecular, i, isInside);
+        Tap tap = readTap(gIn_ViewZ, gIn_NormalRoughness, p, lobe, isSpecular, w, position, kTaps[i].z, true);
         bool isTapValid;
         Signal value = capLuma(readInput(t, second, inputTexel(tap.pixel), isTapValid), maxLuma);
         float share = isTapValid && isInside ? tap.weight : 0.0;
@@ -138,7 +138,7 @@ Filtered prefilter(texture2D t, texture2D second, Pixel p, Lobe lobe, bool isSpe
             float tapHitDist = getHitDist(value.value.w, tap.viewZ, tap.guide.roughness);
             // A stochastic minimum: the nearest reflected surface wins, dissimilar and grazing taps rarely count.
             if (tapHitDist > 0.0 && nextRandom(seed) < share * p.NoV) nearest = min(nearest, tapHitDist);
-            affinity *= contactGuard(lobe.roughness, tapHitDist, hitDist, distance(tap.Xv, p.Xv));
+            affinity *= contactGuard(lobe.roughness, tapHitDist, hitDist, distance(viewPosition(tap), p.Xv));
             if (g.isPrepassTrackingOnly != 0u) share = 0.0;
         }
         bool isKnown = value.value.w > 0.0 || g.reconstructionRadius == 0;
@@ -169,11 +169,7 @@ vec2 fireflyCap(ivec2 pixel, bool isUsed)
 #if HAS_SPECULAR
     if (isUsed) lumas[kSpecularChannel] = sampleLuma(gIn_Specular, pixel, true);
 #endif
-    ivec2 tile = ivec2(gl_WorkGroupID.xy);
-    Samples samples = gatherTile(lumas);
-    vec2 cap = findCap(tile, samples);
-    if (gl_LocalInvocationIndex == 0u) storeSpread(tile, samples, cap);
-    return cap;
+    return shareCap(ivec2(gl_WorkGroupID.xy), lumas);
 }
 #endif
 

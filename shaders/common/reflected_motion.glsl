@@ -7,34 +7,37 @@ const float kMaxRoughnessOfOutline = 0.1; // up to here a pixel's samples agree 
 const float kMaxRoughnessOfImage = 0.25; // up to here what is reflected is followed in full
 const float kMinRoughnessOfBlur = 0.5;   // from here on not at all
 
+// Of the 3x3 pixels; .w 1, or all 0 where there is no sample of the same surface.
+vec4 motionAt(Surface s, int i)
+{
+    ivec2 offset = ivec2(i % 3, i / 3) - 1;
+    vec4 other = neighbour(offset);
+    vec4 motion = texelFetch(gIn_SpecularMotion, clampToRect(s.pixel + offset), 0);
+    // Written so that NaN is no sample.
+    bool isUsed = other.w > 0.0 && dot(other.xyz, s.guide.N) > 0.9 && motion.w > 0.0 &&
+                  all(lessThan(abs(motion.xyz), vec3(NRD_FP16_MAX)));
+    return isUsed ? vec4(motion.xyz, 1.0) : vec4(0.0);
+}
+
 // World motion of what the pixel's neighbourhood reflects: of the 3x3 the sample nearest to their mean, since rays of a
 // wide lobe hit one thing or another. Rough surfaces have no image that could be followed.
 vec3 reflectedMotion(Surface s)
 {
     float share = ramp(kMinRoughnessOfBlur, kMaxRoughnessOfImage, s.guide.roughness);
     if (g.hasSpecularMotion == 0u || share == 0.0) return vec3(0.0);
-    vec4 motions[9];
     vec4 sum = vec4(0.0);
-    for (int i = 0; i < 9; i++)
-    {
-        ivec2 offset = ivec2(i % 3, i / 3) - 1;
-        vec4 other = neighbour(offset);
-        vec4 motion = texelFetch(gIn_SpecularMotion, clampToRect(s.pixel + offset), 0);
-        // Written so that NaN is no sample.
-        bool isUsed = other.w > 0.0 && dot(other.xyz, s.guide.N) > 0.9 && motion.w > 0.0 &&
-                      all(lessThan(abs(motion.xyz), vec3(NRD_FP16_MAX)));
-        motions[i] = isUsed ? vec4(motion.xyz, 1.0) : vec4(0.0);
-        sum += motions[i];
-    }
+    // Not unrolled: nine motions at once take more registers than all else, also where there is no motion.
+    [[dont_unroll]] for (int i = 0; i < 9; i++) sum += motionAt(s, i);
     vec3 mean = sum.xyz / max(sum.w, 1.0);
     vec3 nearest = vec3(0.0);
     float least = 1e30;
-    for (int i = 0; i < 9; i++)
+    [[dont_unroll]] for (int i = 0; i < 9; i++)
     {
-        vec3 apart = motions[i].xyz - mean;
-        bool isNearer = motions[i].w > 0.0 && dot(apart, apart) < least;
+        vec4 motion = motionAt(s, i);
+        vec3 apart = motion.xyz - mean;
+        bool isNearer = motion.w > 0.0 && dot(apart, apart) < least;
         least = isNearer ? dot(apart, apart) : least;
-        nearest = isNearer ? motions[i].xyz : nearest;
+        nearest = isNearer ? motion.xyz : nearest;
     }
     return nearest * share;
 }

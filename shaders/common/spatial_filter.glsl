@@ -11,6 +11,7 @@ const vec3 kTaps[8] = vec3[](
 
 struct Pixel
 {
+    vec2 position; // pixels; centres of pixels are whole numbers
     vec2 uv;
     float viewZ;
     vec3 Xv; // view space
@@ -18,6 +19,9 @@ struct Pixel
     vec3 Vv;
     float NoV;
     float frustumSize;
+    vec3 planeSlope;  // what planeDistance() takes for a position and 1, to be scaled by depth
+    float planeDepth; // for depth
+    float planeStart;
     Guide guide;
 };
 
@@ -33,16 +37,15 @@ struct Weights
 {
     float normal;    // 1 / radians
     float roughness; // 1 / roughness, 0 for diffuse
-    float plane;     // 1 / world units
     float hitDist;   // 1 / normalised hit distance
     float minHitDist;
 };
 
 struct Tap
 {
+    vec2 position; // pixels
     ivec2 pixel;
     float viewZ;
-    vec3 Xv;
     Guide guide;
     float weight; // guides only, 0 = rejected
 };
@@ -50,6 +53,7 @@ struct Tap
 Pixel makePixel(ivec2 position, float viewZ, Guide guide)
 {
     Pixel p;
+    p.position = vec2(position);
     p.uv = pixelUv(position);
     p.viewZ = viewZ;
     p.Xv = reconstructViewPosition(p.uv, g.frustum, viewZ, g.cameraDelta.w);
@@ -58,7 +62,20 @@ Pixel makePixel(ivec2 position, float viewZ, Guide guide)
     p.NoV = abs(dot(p.Nv, p.Vv));
     p.frustumSize = getFrustumSize(viewZ);
     p.guide = guide;
+    bool isOrtho = g.cameraDelta.w != 0.0;
+    vec3 N = p.Nv / (g.planeDistanceSensitivity * p.frustumSize);
+    vec2 step = N.xy * g.frustum.zw * g.rectSizeInv;
+    p.planeSlope = vec3(step, dot(N.xy, g.frustum.xy) + 0.5 * (step.x + step.y) + (isOrtho ? 0.0 : N.z));
+    p.planeDepth = isOrtho ? N.z : 0.0;
+    p.planeStart = dot(N, p.Xv);
     return p;
+}
+
+// How far another pixel's surface lies from the centre's tangent plane, 1 being too far.
+float planeDistance(Pixel p, vec2 position, float viewZ)
+{
+    float slope = p.planeSlope.x * position.x + (p.planeSlope.y * position.y + p.planeSlope.z);
+    return abs(slope * (g.cameraDelta.w != 0.0 ? 1.0 : viewZ) + (p.planeDepth * viewZ - p.planeStart));
 }
 
 Weights makeWeights(Pixel p, Lobe lobe, bool isSpecular, float narrowing, float fractionScale, float minHitDist)
@@ -67,7 +84,6 @@ Weights makeWeights(Pixel p, Lobe lobe, bool isSpecular, float narrowing, float 
     w.normal = 1.0 / (normalCutoff(lobe.roughness, narrowing) * fractionScale);
     float admissible = mix(0.01, 1.0, saturate(lobe.roughness * g.roughnessFraction * fractionScale));
     w.roughness = isSpecular ? 1.0 / admissible : 0.0;
-    w.plane = 1.0 / (g.planeDistanceSensitivity * p.frustumSize);
     w.hitDist = 1.0 / narrowing;
     w.minHitDist = minHitDist;
     return w;
@@ -81,21 +97,58 @@ float blurRadius(Lobe lobe, float scale, float hitDistFactor, float narrowing)
     return max(radius, g.minBlurRadius * spread);
 }
 
-Tap readTap(texture2D viewZs, texture2D normals, Pixel p, Lobe lobe, Weights w, vec2 uv, float gaussian)
+// 1.5 * 2^23: added to a number, the last bit of its mantissa counts ones. Conversions and floor() run at a fraction
+// of the rate of additions, and a blur has dozens.
+const float kOnes = 12582912.0;
+
+// A pixel, given by any position in it.
+struct Place
 {
+    vec2 position; // whole
+    ivec2 texel;
+};
+
+Place placeAt(vec2 position)
+{
+    precise vec2 ones = position + kOnes;
+    precise vec2 whole = ones - kOnes;
+    return Place(whole, ivec2(floatBitsToUint(ones) - floatBitsToUint(kOnes)));
+}
+
+// Folds what lies outside the screen back once, so that kernels at borders do not starve.
+Place foldedPlace(Place place)
+{
+    vec2 position = max(place.position, -1.0 - place.position);
+    position = max(min(position, 2.0 * g.rectSize - 1.0 - position), 0.0);
+    ivec2 texel = placeAt(position).texel;
+    return Place(position, ivec2(min(uvec2(texel), uvec2(g.rectSizeMinusOne)))); // NaN stays inside
+}
+
+vec3 viewPosition(Tap tap)
+{
+    vec2 uv = (tap.position + 0.5) * g.rectSizeInv;
+    return reconstructViewPosition(uv, g.frustum, tap.viewZ, g.cameraDelta.w);
+}
+
+// position: pixels. mayFold: it may lie outside the screen.
+Tap readTap(texture2D viewZs, texture2D normals, Pixel p, Lobe lobe, bool isSpecular, Weights w, vec2 position,
+            float gaussian, bool mayFold)
+{
+    Place given = placeAt(position), place = given;
+    if (mayFold) place = foldedPlace(given);
     Tap tap;
-    bool isInside = isInScreen(uv);
-    tap.pixel = clampToRect(ivec2(mirrorUv(uv) * g.rectSize));
+    tap.position = place.position;
+    tap.pixel = place.texel;
     tap.viewZ = decodeViewZ(texelFetch(viewZs, guideTexel(tap.pixel), 0).x);
-    tap.Xv = reconstructViewPosition(pixelUv(tap.pixel), g.frustum, tap.viewZ, g.cameraDelta.w);
     tap.guide = decodeGuide(texelFetch(normals, guideTexel(tap.pixel), 0));
     bool isAccepted = isInRange(tap.viewZ) &&
                       isSameMaterial(p.guide.materialID, tap.guide.materialID, lobe.minMaterial);
     // A folded tap keeps weight 1: at borders it stands for several that are missing.
-    tap.weight = isAccepted ? (isInside ? gaussian : 1.0) : 0.0;
+    if (mayFold && given.position != place.position) gaussian = 1.0;
+    tap.weight = isAccepted ? gaussian : 0.0;
     tap.weight *= soft(acosApprox(dot(p.guide.N, tap.guide.N)) * w.normal);
-    tap.weight *= soft(abs(tap.guide.roughness - p.guide.roughness) * w.roughness);
-    tap.weight *= soft(abs(dot(p.Nv, tap.Xv - p.Xv)) * w.plane);
+    tap.weight *= soft(planeDistance(p, tap.position, tap.viewZ));
+    if (isSpecular) tap.weight *= soft(abs(tap.guide.roughness - p.guide.roughness) * w.roughness);
     return tap;
 }
 
@@ -108,6 +161,50 @@ float hitDistWeight(Weights w, float centre, float other)
 
 vec2 rotateTap(vec4 rotator, vec2 offset) { return offset.x * rotator.xy + offset.y * rotator.zw; }
 
+// Where the taps lie, in homogeneous pixels.
+struct Kernel
+{
+    vec3 centre;
+    vec3 axes[4]; // to taps 2, 1, 5, 4; the others lie opposite
+    bool isFlat;  // parallel to the screen
+};
+
+const int kTapAxes[8] = int[](0, 1, 0, 1, 3, 2, 3, 2);
+const float kTapSigns[8] = float[](-1.0, 1.0, 1.0, -1.0, 1.0, 1.0, -1.0, -1.0);
+
+// u, v: where (1, 0) and (0, 1) of the taps lie, before they are rotated.
+Kernel makeKernel(vec3 centre, vec3 u, vec3 v, vec4 rotator, bool isFlat)
+{
+    vec3 right = u * rotator.x + v * rotator.y, up = u * rotator.z + v * rotator.w;
+    float half_ = kTaps[5].x;
+    return Kernel(centre, vec3[](right, up, (up + right) * half_, (up - right) * half_), isFlat);
+}
+
+Kernel flatKernel(Pixel p, vec4 rotator, vec2 radius)
+{
+    return makeKernel(vec3(p.position, 1.0), vec3(radius.x, 0.0, 0.0), vec3(0.0, radius.y, 0.0), rotator, true);
+}
+
+vec2 tapPosition(Kernel kernel, int tap)
+{
+    vec3 position = kernel.centre + kernel.axes[kTapAxes[tap]] * kTapSigns[tap];
+    return kernel.isFlat ? position.xy : position.xy / max(position.z, 1e-6); // a tap may reach behind the camera
+}
+
+bool isOnScreen(vec2 position)
+{
+    return all(bvec4(greaterThanEqual(position, vec2(0.0)), lessThanEqual(position, g.rectSize - 1.0)));
+}
+
+// All taps, of which the inner ones lie between the outer ones. False for NaN. Without the branches of &&.
+bool isOnScreen(Kernel kernel)
+{
+    bool isInFront = kernel.centre.z - max(abs(kernel.axes[0].z), abs(kernel.axes[1].z)) > 1e-6;
+    bvec4 areOnScreen = bvec4(isOnScreen(tapPosition(kernel, 0)), isOnScreen(tapPosition(kernel, 1)),
+                              isOnScreen(tapPosition(kernel, 2)), isOnScreen(tapPosition(kernel, 3)));
+    return all(areOnScreen) && (kernel.isFlat || isInFront);
+}
+
 // Foreshortened disk: offsets shrink along the axis the surface is tilted about.
 vec2 diffuseSkew(Pixel p)
 {
@@ -115,14 +212,22 @@ vec2 diffuseSkew(Pixel p)
     return skew / max(max(skew.x, skew.y), 1e-3);
 }
 
-// Tangents, in view space, of a plane that faces the mirrored lobe axis: its footprint stretches at grazing angles.
-void specularKernel(Pixel p, float hitDistFactor, float narrowing, float radius, out vec3 T, out vec3 B)
+// View space to homogeneous pixels: a point, or a direction.
+vec3 toPixels(vec3 v, float isPoint)
+{
+    float depth = g.cameraDelta.w != 0.0 ? isPoint : v.z;
+    return vec3((v.xy - g.frustum.xy * depth) * (g.rectSize / g.frustum.zw) - 0.5 * depth, depth);
+}
+
+// In a plane that faces the mirrored lobe axis: the footprint stretches at grazing angles.
+Kernel specularKernel(Pixel p, vec4 rotator, float hitDistFactor, float narrowing, float radius)
 {
     float r = p.guide.roughness;
     vec3 D = dominantDirection(p.Nv, p.Vv, dominantFactor(p.NoV, r));
     float bend = sqrt(hitDistFactor);
     vec3 axis = normalize(mix(p.Nv, D, bend));
     float NoD = abs(dot(p.Nv, D));
+    vec3 T, B;
     if (abs(dot(axis, p.Nv)) < 0.999)
     {
         vec3 mirrored = reflect(-axis, p.Nv);
@@ -134,14 +239,8 @@ void specularKernel(Pixel p, float hitDistFactor, float narrowing, float radius,
     float skew = mix(0.25 + 0.75 * r, 1.0, NoD);
     skew = mix(1.0, mix(skew, 1.0, narrowing), bend);
     float size = radius * getPixelSize(p.viewZ);
-    T *= size * skew;
-    B *= size / skew;
-}
-
-vec2 viewToUv(vec3 Xv)
-{
-    vec2 slope = Xv.xy / (g.cameraDelta.w != 0.0 ? 1.0 : max(Xv.z, 1e-6)); // a tap may reach behind the camera
-    return (slope - g.frustum.xy) / g.frustum.zw;
+    return makeKernel(toPixels(p.Xv, 1.0), toPixels(T * size * skew, 0.0), toPixels(B * size / skew, 0.0), rotator,
+                      false);
 }
 
 #endif

@@ -31,7 +31,7 @@ struct SurfaceTrack
     Footprint footprint;
     vec4 valid;   // 0 or 1
     vec4 weights; // bilinear * valid
-    vec4 NoN;     // of the footprint's normals with the mean normal
+    float NoN;    // of the footprint's normals with the mean normal
     bool isCubic; // all 12 texels valid: Catmull-Rom is allowed
     float quality;
     vec2 n; // frames, diffuse and specular
@@ -82,15 +82,15 @@ void testSurface(Surface s, inout SurfaceTrack track)
     float minCosine = 0.01745 - 0.25 * ramp(0.25, 0.0, track.parallaxMax);
     uint minMaterial = min(g.minMaterialForDiffuse, g.minMaterialForSpecular);
     vec4 inside = footprintInside(origin, lastPrevTexel());
-    vec4 quadrantSum = vec4(0.0);
+    vec4 NoN, quadrantSum;
     for (int i = 0; i < 4; i++)
     {
         ivec2 quadrant = ivec2(i & 1, i >> 1);
         Guide other = decodeGuide(texelFetch(gIn_PrevNormalRoughness,
                                              footprintTexel(origin, i, lastPrevTexel()), 0));
-        track.NoN[i] = dot(other.N, s.meanN);
+        NoN[i] = dot(other.N, s.meanN);
         // The own normal as well: at a contact the mean may point away from both surfaces.
-        float cosine = max(track.NoN[i], dot(other.N, s.guide.N));
+        float cosine = max(NoN[i], dot(other.N, s.guide.N));
         bool isAccepted = inside[i] > 0.0 && cosine > minCosine &&
                           isSameMaterial(s.guide.materialID, other.materialID, minMaterial);
         // -eps: a zeroed threshold rejects even equality.
@@ -101,6 +101,7 @@ void testSurface(Surface s, inout SurfaceTrack track)
     }
     track.isCubic = all(greaterThanEqual(quadrantSum, vec4(2.5)));
     track.weights = track.footprint.bilinear * track.valid;
+    track.NoN = dot(NoN, track.footprint.bilinear);
 }
 
 // Partial footprints, and ones that were seen at a more grazing angle, are worth less.

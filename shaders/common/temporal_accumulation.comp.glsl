@@ -1,6 +1,7 @@
 // Reprojects the history along the surface's motion and, for specular, along the motion of the virtual image, mixes
 // the new sample in, and reads the stabilised history at the same place for the last pass.
 #version 460
+#extension GL_EXT_control_flow_attributes : require
 #extension GL_GOOGLE_include_directive : require
 #include "bindings.h"
 #include "variant.glsl"
@@ -89,17 +90,18 @@ LobeResult accumulateDiffuse(Surface s, SurfaceTrack surface)
         confidence = min(confidence, textureLod(sampler2D(gIn_DiffuseConfidence, gLinearClamp), surface.uv, 0.0).x);
     result.n = applyConfidence(surface.n.x, confidence);
     HistoryRead read = surfaceRead(surface);
-    Signal history = readHistory(gIn_DiffuseHistory, gIn_DiffuseHistorySh, read);
+    History stored = readHistory(gIn_DiffuseHistory, gIn_DiffuseHistorySh, 0, read);
+    Signal history = stored.signal;
     bool isValid;
     Signal signal = readAccumulated(gIn_Diffuse, gIn_DiffuseSh, s.pixel, isValid);
     if (!isValid) signal = history;
     float share = dataShare(s.pixel, false, result.n);
     storeSignal(gOut_Diffuse, gOut_DiffuseSh, s.pixel, mixHistory(history, signal, result.n, share, 1.0));
-    float fastHistory = fetchBilinear(gIn_Fast, read.origin, read.weights, lastPrevTexel()).x;
+    float fastHistory = readFast(read).x;
     float fastWeight = newSampleWeight(min(result.n, g.maxFastAccumulatedFrameNum.x)) * share;
     result.fast = limitFast(mixFast(fastHistory, luma(signal), fastWeight), luma(history), result.n);
     result.noisy = limitFast(luma(signal), luma(history), result.n);
-    result.stabHistory = readStabilized(0, read);
+    result.stabHistory = stored.stabilized;
     result.stabWeight = isHistoryReset() ? 0.0 : sqrt(saturate(dot(surface.weights, vec4(1.0))));
     return result;
 }

@@ -1,5 +1,6 @@
 // First recurrent blur. Also keeps this frame's depth for the next.
 #version 460
+#extension GL_EXT_control_flow_attributes : require
 #extension GL_GOOGLE_include_directive : require
 #include "spatial_filter.glsl"
 

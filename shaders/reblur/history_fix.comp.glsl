@@ -1,6 +1,7 @@
 // Fills pixels with a short history from a wide sparse neighbourhood, then bounds the long history's luma by statistics
 // of the fast one, which is short and never blurred.
 #version 460
+#extension GL_EXT_control_flow_attributes : require
 #extension GL_GOOGLE_include_directive : require
 #include "spatial_filter.glsl"
 
@@ -38,8 +39,20 @@ const ivec2 kHalo = ivec2(8 + 2 * kRadius, 16 + 2 * kRadius);
 const float kAntiFireflySigmaScale = 2.0;
 const float kInvalid = -1.0; // lumas are not negative
 
-shared vec2 sFast[kHalo.y][kHalo.x]; // per lobe
-shared vec2 sSlow[kHalo.y][kHalo.x];
+// A group may hold only a small share of a multiprocessor's shared memory, or too few of them run side by side to hide
+// latencies. So lumas are kept as the half floats they are stored as; both lobes in one word.
+#if IS_BOUNDED
+shared vec2 sFast[kHalo.y][kHalo.x];
+vec2 fastAt(ivec2 at) { return sFast[at.y][at.x]; }
+void storeFast(ivec2 at, vec2 lumas) { sFast[at.y][at.x] = lumas; }
+#else
+shared uint sFast[kHalo.y][kHalo.x];
+shared uint sSlow[kHalo.y][kHalo.x];
+vec2 fastAt(ivec2 at) { return unpackHalf2x16(sFast[at.y][at.x]); }
+vec2 slowAt(ivec2 at) { return unpackHalf2x16(sSlow[at.y][at.x]); }
+void storeFast(ivec2 at, vec2 lumas) { sFast[at.y][at.x] = packHalf2x16(lumas); }
+void storeSlow(ivec2 at, vec2 lumas) { sSlow[at.y][at.x] = packHalf2x16(lumas); }
+#endif
 
 vec2 slowLumas(ivec2 pixel)
 {
@@ -53,16 +66,22 @@ vec2 slowLumas(ivec2 pixel)
     return lumas;
 }
 
+// Unrolled and without a branch, so that all reads are under way at once; the last texel is loaded repeatedly.
 void loadFast(ivec2 group)
 {
-    for (int i = int(gl_LocalInvocationIndex); i < kHalo.x * kHalo.y; i += 128)
+    const int kNum = kHalo.x * kHalo.y;
+    [[unroll]] for (int first = 0; first < kNum; first += 128)
     {
+        int i = min(first + int(gl_LocalInvocationIndex), kNum - 1);
         ivec2 local = ivec2(i % kHalo.x, i / kHalo.x);
         ivec2 pixel = group + local - kRadius;
         ivec2 inside = clampToRect(pixel);
-        bool isUsed = pixel == inside && isInRange(decodeViewZ(texelFetch(gIn_ViewZ, guideTexel(inside), 0).x));
-        sFast[local.y][local.x] = isUsed ? texelFetch(gIn_Fast, inside, 0).xy : vec2(kInvalid);
-        if (!kIsBounded) sSlow[local.y][local.x] = slowLumas(inside);
+        float viewZ = decodeViewZ(texelFetch(gIn_ViewZ, guideTexel(inside), 0).x);
+        vec2 fast = texelFetch(gIn_Fast, inside, 0).xy;
+        storeFast(local, pixel == inside && isInRange(viewZ) ? fast : vec2(kInvalid));
+#if IS_BOUNDED == 0
+        storeSlow(local, slowLumas(inside));
+#endif
     }
 }
 
@@ -75,106 +94,125 @@ struct Moments
 // Sums over valid texels.
 struct Sums
 {
-    vec2 first;
-    vec2 second; // of squares
+    vec4 moments; // first, then second
     float count;
 };
 
-// Sums over pieces of a row: all nine texels; without the inner three; the inner five. The anti-firefly window is 9x9
-// without its inner 3x3, the window of the fast clamp is 5x5; both are sums of such. Nothing is ever subtracted: beside
-// a firefly that would leave only rounding error. One array per member keeps neighbouring lanes in neighbouring banks.
-const int kAll = 0, kOuter = 1, kInner = 2;
-shared vec2 sFirst[3][kHalo.y][8];
-shared vec2 sSecond[3][kHalo.y][8];
-shared float sCount[3][kHalo.y][8];
+const Sums kNoSums = Sums(vec4(0.0), 0.0);
+
+void addValid(inout Sums sums, vec2 value)
+{
+    sums.moments += vec4(value, value * value);
+    sums.count += 1.0;
+}
 
 void add(inout Sums sums, vec2 value)
 {
-    bool isValid = value.x != kInvalid;
-    sums.first += isValid ? value : vec2(0.0);
-    sums.second += isValid ? value * value : vec2(0.0);
-    sums.count += isValid ? 1.0 : 0.0;
+    if (value.x != kInvalid) addValid(sums, value);
 }
 
 void add(inout Sums sums, Sums other)
 {
-    sums.first += other.first;
-    sums.second += other.second;
+    sums.moments += other.moments;
     sums.count += other.count;
-}
-
-const Sums kNoSums = Sums(vec2(0.0), vec2(0.0), 0.0);
-
-Sums rowSums(int piece, ivec2 local)
-{
-    return Sums(sFirst[piece][local.y][local.x], sSecond[piece][local.y][local.x], sCount[piece][local.y][local.x]);
-}
-
-void storeRowSums(int piece, ivec2 local, Sums sums)
-{
-    sFirst[piece][local.y][local.x] = sums.first;
-    sSecond[piece][local.y][local.x] = sums.second;
-    sCount[piece][local.y][local.x] = sums.count;
 }
 
 void addPair(inout Sums sums, ivec2 middle, int distance)
 {
-    add(sums, sFast[middle.y][middle.x - distance]);
-    add(sums, sFast[middle.y][middle.x + distance]);
+    add(sums, fastAt(middle - ivec2(distance, 0)));
+    add(sums, fastAt(middle + ivec2(distance, 0)));
 }
 
-void sumRows()
+// Sums over pieces of a row: the inner five texels; of those, what the fast history differs from the slow one by; all
+// nine without the inner three; all nine. The anti-firefly window is 9x9 without its inner 3x3, the others are 5x5; all
+// are sums of such. Nothing is ever subtracted: beside a firefly that would leave only rounding error.
+const int kInner = 0, kChange = 1, kOuter = 2, kAll = 3;
+shared vec4 sMoments[kHalo.y][8];
+shared float sCount[kHalo.y][8];
+
+#if IS_BOUNDED == 0
+void addChange(inout Sums sums, ivec2 at)
 {
+    vec2 fast = fastAt(at);
+    if (fast.x != kInvalid) addValid(sums, fast - slowAt(at));
+}
+#endif
+
+Sums sumRow(int piece, ivec2 middle)
+{
+    Sums sums = kNoSums;
+#if IS_BOUNDED == 0
+    if (piece == kChange)
+        for (int x = -2; x <= 2; x++) addChange(sums, middle + ivec2(x, 0));
+    if (piece == kOuter || piece == kAll)
+        for (int x = 3; x <= 4; x++) addPair(sums, middle, x);
+#endif
+    if (piece == kChange) return sums;
+    addPair(sums, middle, 2);
+    if (piece == kOuter) return sums;
+    addPair(sums, middle, 1);
+    add(sums, fastAt(middle));
+    return sums;
+}
+
+// Has barriers: one piece at a time takes the place of the one before.
+void sumRows(int piece)
+{
+    barrier();
     for (int i = int(gl_LocalInvocationIndex); i < 8 * kHalo.y; i += 128)
     {
-        ivec2 local = ivec2(i % 8, i / 8), middle = local + ivec2(kRadius, 0);
-        Sums three = kNoSums, inner = kNoSums, outer = kNoSums;
-        add(three, sFast[middle.y][middle.x]);
-        addPair(three, middle, 1);
-        addPair(inner, middle, 2);
-        outer = inner;
-        add(inner, three);
-        storeRowSums(kInner, local, inner);
-        if (!kHasAntiFirefly || kIsBounded) continue;
-        addPair(outer, middle, 3);
-        addPair(outer, middle, 4);
-        storeRowSums(kOuter, local, outer);
-        add(outer, three);
-        storeRowSums(kAll, local, outer);
+        ivec2 local = ivec2(i % 8, i / 8);
+        Sums sums = sumRow(piece, local + ivec2(kRadius, 0));
+        sMoments[local.y][local.x] = sums.moments;
+        sCount[local.y][local.x] = sums.count;
     }
+    barrier();
+}
+
+// Rows first to last, counted from the own one.
+void addRows(inout Sums sums, int first, int last)
+{
+    ivec2 local = ivec2(gl_LocalInvocationID.xy) + ivec2(0, kRadius);
+    for (int y = first; y <= last; y++)
+        add(sums, Sums(sMoments[local.y + y][local.x], sCount[local.y + y][local.x]));
+}
+
+struct Windows
+{
+    Sums near;   // 5x5 without the centre
+    Sums change; // 5x5
+    Sums wide;   // 9x9 without its inner 3x3: a firefly's own blob must not widen the bounds
+};
+
+Windows sumWindows()
+{
+    ivec2 centre = ivec2(gl_LocalInvocationID.xy) + kRadius;
+    Windows windows = Windows(kNoSums, kNoSums, kNoSums);
+    sumRows(kInner);
+    addPair(windows.near, centre, 1);
+    addPair(windows.near, centre, 2);
+    addRows(windows.near, -2, -1);
+    addRows(windows.near, 1, 2);
+#if IS_BOUNDED == 0
+    sumRows(kChange);
+    addRows(windows.change, -2, 2);
+    if (!kHasAntiFirefly) return windows;
+    sumRows(kOuter);
+    addRows(windows.wide, -1, 1);
+    sumRows(kAll);
+    addRows(windows.wide, -4, -2);
+    addRows(windows.wide, 2, 4);
+#endif
+    return windows;
 }
 
 // What is out of range counts as the centre.
 Moments makeMoments(Sums sums, float count, vec2 centre)
 {
     float missing = count - sums.count;
-    vec2 mean = (sums.first + missing * centre) / count;
-    vec2 square = (sums.second + missing * centre * centre) / count;
+    vec2 mean = (sums.moments.xy + missing * centre) / count;
+    vec2 square = (sums.moments.zw + missing * centre * centre) / count;
     return Moments(mean, sqrt(abs(square - mean * mean)));
-}
-
-// The inner 3x3 is left out: a firefly's own blob must not widen the bounds.
-Moments wideMoments(vec2 centre)
-{
-    ivec2 local = ivec2(gl_LocalInvocationID.xy) + ivec2(0, kRadius);
-    Sums sums = kNoSums;
-    for (int y = -4; y <= 4; y++) add(sums, rowSums(abs(y) > 1 ? kAll : kOuter, local + ivec2(0, y)));
-    return makeMoments(sums, 72.0, centre);
-}
-
-// The centre counts with the value it has now, not the one that was loaded.
-Moments nearMoments(vec2 centre)
-{
-    ivec2 local = ivec2(gl_LocalInvocationID.xy) + ivec2(0, kRadius);
-    Sums sums = Sums(centre, centre * centre, 1.0);
-    addPair(sums, local + ivec2(kRadius, 0), 1);
-    addPair(sums, local + ivec2(kRadius, 0), 2);
-    for (int y = 1; y <= 2; y++)
-    {
-        add(sums, rowSums(kInner, local - ivec2(0, y)));
-        add(sums, rowSums(kInner, local + ivec2(0, y)));
-    }
-    return makeMoments(sums, 25.0, centre);
 }
 
 // Which share of a pixel and its 2x2 partners needs the fix: a smaller stride where they are stable.
@@ -201,12 +239,11 @@ float fixTapWeight(Pixel p, Lobe lobe, bool isSpecular, ivec2 pixel, Weights w)
 {
     float viewZ = decodeViewZ(texelFetch(gIn_ViewZ, guideTexel(pixel), 0).x);
     Guide guide = decodeGuide(texelFetch(gIn_NormalRoughness, guideTexel(pixel), 0));
-    if (!isInRange(viewZ) || !isSameMaterial(p.guide.materialID, guide.materialID, lobe.minMaterial)) return 0.0;
-    vec3 Xv = reconstructViewPosition(pixelUv(pixel), g.frustum, viewZ, g.cameraDelta.w);
     float weight = heavy(acosApprox(dot(p.guide.N, guide.N)) * w.normal);
-    weight *= soft(abs(dot(p.Nv, Xv - p.Xv)) * w.plane);
+    weight *= soft(planeDistance(p, vec2(pixel), viewZ));
     if (isSpecular) weight *= heavy(abs(square(guide.roughness) - square(p.guide.roughness)) * w.roughness);
-    return weight;
+    bool isUsed = isInRange(viewZ) && isSameMaterial(p.guide.materialID, guide.materialID, lobe.minMaterial);
+    return isUsed ? weight : 0.0;
 }
 
 // 5x5 grid without corners and centre; taps that already have history count for more.
@@ -233,15 +270,17 @@ Signal fixHistory(texture2D t, texture2D second, Pixel p, Lobe lobe, bool isSpec
     Signal sum = scaled(centre, 1.0 + n);
     float weightSum = 1.0 + n;
     int channel = isSpecular ? kSpecularChannel : 0;
-    for (int i = 0; i < 25; i++)
+    // Row by row, without a branch round a read, so that those of a row are under way at once.
+    [[dont_unroll]] for (int y = -2; y <= 2; y++)
+    [[unroll]] for (int x = -2; x <= 2; x++)
     {
-        ivec2 offset = ivec2(i % 5, i / 5) - 2;
-        if (i == 12 || abs(offset.x) + abs(offset.y) == 4) continue;
+        ivec2 offset = ivec2(x, y);
+        bool isTap = x * x + y * y != 8 && offset != ivec2(0);
         ivec2 pixel = mirrorPixel(position + offset * step);
         float weight = fixTapWeight(p, lobe, isSpecular, pixel, w);
         Signal value = readSignal(t, second, pixel);
         weight *= heavy(abs(value.value.w - reference) * w.hitDist);
-        weight *= 1.0 + unpackLengths(texelFetch(gIn_Length, pixel, 0).xy)[channel];
+        weight *= isTap ? 1.0 + unpackLengths(texelFetch(gIn_Length, pixel, 0).xy)[channel] : 0.0;
         sum = addWeighted(sum, value, weight);
         weightSum += weight > 0.0 ? weight : 0.0; // not NaN
     }
@@ -272,24 +311,12 @@ struct Change
     vec2 sigma;
 };
 
-Change measureChange()
+Change measureChange(Windows windows, vec2 own)
 {
-    ivec2 local = ivec2(gl_LocalInvocationID.xy) + kRadius - 2;
-    vec2 slow = vec2(0.0), mean = vec2(0.0), squares = vec2(0.0);
-    float count = 0.0;
-    for (int i = 0; i < 25; i++)
-    {
-        ivec2 at = local + ivec2(i % 5, i / 5);
-        vec2 fast = sFast[at.y][at.x];
-        if (fast.x == kInvalid) continue;
-        vec2 difference = fast - sSlow[at.y][at.x];
-        slow += sSlow[at.y][at.x];
-        mean += difference;
-        squares += difference * difference;
-        count += 1.0;
-    }
-    mean /= count;
-    return Change(slow / count, mean, sqrt(max(squares / count - mean * mean, vec2(0.0))));
+    Sums change = windows.change;
+    vec2 mean = change.moments.xy / change.count;
+    vec2 fast = (windows.near.moments.xy + own) / change.count;
+    return Change(fast - mean, mean, sqrt(max(change.moments.zw / change.count - mean * mean, vec2(0.0))));
 }
 
 // How far the two histories differ by more than noise explains. Detail cancels out in means of differences.
@@ -316,19 +343,20 @@ void followLight(inout float luma, inout float fast, int lobe, Change change, fl
 }
 
 // own: what the fast history of this pixel was loaded with. Returns what it becomes.
-vec2 clampSignals(inout Signal signals[2], Pixel p, vec2 n, vec2 own, vec2 share)
+vec2 clampSignals(inout Signal signals[2], Pixel p, Windows windows, vec2 n, vec2 own, vec2 share)
 {
     vec2 lumas = vec2(luma(signals[0]), luma(signals[1]));
     vec2 fast = mix(lumas, own, share);
     if (kHasAntiFirefly && !kIsBounded)
     {
-        Moments wide = wideMoments(fast);
+        Moments wide = makeMoments(windows.wide, 72.0, fast);
         for (int i = 0; i < LOBE_NUM; i++) lumas[i] = clampTo(lumas[i], wide, i, kAntiFireflySigmaScale);
     }
-    Moments near = nearMoments(fast);
-    Change change = kIsBounded ? Change(vec2(0.0), vec2(0.0), vec2(0.0)) : measureChange();
+    Change change = measureChange(windows, own);
+    addValid(windows.near, fast); // with the value it has now, not the one that was loaded
+    Moments near = makeMoments(windows.near, 25.0, fast);
     bool isStrand = kHasMaterialTest && p.guide.materialID == g.strandMaterialID;
-    for (int i = 0; i < LOBE_NUM; i++)
+    [[unroll]] for (int i = 0; i < LOBE_NUM; i++)
     {
         bool isSpecular = HAS_SPECULAR == 1 && i == kSpecularChannel;
         float scale = isStrand && isSpecular ? max(g.fastClampSigmaScale, 3.0) : g.fastClampSigmaScale;
@@ -343,9 +371,7 @@ void main()
     ivec2 group = ivec2(gl_WorkGroupID.xy) * ivec2(8, 16);
     if (texelFetch(gIn_Tiles, group / TILE_SIZE, 0).x > 0.5) return; // the same for the whole group
     loadFast(group);
-    barrier();
-    sumRows();
-    barrier();
+    Windows windows = sumWindows();
     ivec2 position = ivec2(gl_GlobalInvocationID.xy);
     if (!isInRect(position)) return;
     float viewZ = decodeViewZ(texelFetch(gIn_ViewZ, guideTexel(position), 0).x);
@@ -370,8 +396,8 @@ void main()
     // Filled-in data is unwanted in the fast history of sharp lobes.
     share[kSpecularChannel] = mix(1.0, share[kSpecularChannel], NRD_GetLobeSpread(p.guide.roughness, 0.25));
 #endif
-    vec2 own = sFast[int(gl_LocalInvocationID.y) + kRadius][int(gl_LocalInvocationID.x) + kRadius];
-    vec2 fast = clampSignals(signals, p, n, own, share);
+    vec2 own = fastAt(ivec2(gl_LocalInvocationID.xy) + kRadius);
+    vec2 fast = clampSignals(signals, p, windows, n, own, share);
     imageStore(gOut_Fast, position, kIsBounded ? vec4(fast, 0.0, 0.0) : roundToHalf(vec4(fast, 0.0, 0.0)));
 #if HAS_DIFFUSE
     storeSignal(gOut_Diffuse, gOut_DiffuseSh, position, signals[0]);

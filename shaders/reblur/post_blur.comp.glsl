@@ -1,6 +1,7 @@
 // Second recurrent blur, wider and stricter: its result is the history. Also keeps this frame's normals for the next,
 // and is the last pass where stabilisation is off.
 #version 460
+#extension GL_EXT_control_flow_attributes : require
 #extension GL_GOOGLE_include_directive : require
 #include "spatial_filter.glsl"
 

@@ -8,9 +8,17 @@
 // relative difference of luma shrinks with convergence. Fitted on the recorded sequences.
 const float kLumaTolerance = 2.5;
 
-float lumaWeight(float centre, float other, float narrowing)
+// How alike two signals are: of their hit distances and lumas, with one division for all falloffs.
+float signalWeight(Weights w, Signal centre, Signal other, float lumaTolerance)
 {
-    return heavy(abs(other - centre) / (max(other, centre) * kLumaTolerance * narrowing + kEps));
+    // Occlusion is its own hit distance, whose weight is strict enough: with another it flickered more.
+    if (kIsBounded) return hitDistWeight(w, centre.value.w, other.value.w);
+    float x = abs(other.value.w - centre.value.w) * (3.0 * w.hitDist);
+    float far = x * x + (x + 1.0); // 1 / heavy()
+    float a = 3.0 * abs(luma(other) - luma(centre));
+    float b = max(luma(other), luma(centre)) * lumaTolerance + kEps;
+    float bb = b * b; // over bb + a (a + b): heavy(a / 3 b)
+    return (w.minHitDist * far + 1.0) * bb / (far * (a * (a + b) + bb));
 }
 
 struct BlurPass
@@ -20,7 +28,29 @@ struct BlurPass
     float fractionScale;
 };
 
-// Needs gIn_ViewZ and gIn_NormalRoughness.
+struct Sum
+{
+    Signal signal;
+    float weight;
+};
+
+// Unrolled and without a branch, so that the reads of all taps are under way at once. Needs gIn_ViewZ and
+// gIn_NormalRoughness.
+void addTaps(inout Sum sum, texture2D t, texture2D second, Pixel p, Lobe lobe, bool isSpecular, Kernel kernel,
+             Weights w, float lumaTolerance, bool mayFold)
+{
+    Signal centre = sum.signal;
+    [[unroll]] for (int i = 0; i < 8; i++)
+    {
+        Tap tap = readTap(gIn_ViewZ, gIn_NormalRoughness, p, lobe, isSpecular, w, tapPosition(kernel, i), kTaps[i].z,
+                          mayFold);
+        Signal value = readSignal(t, second, tap.pixel);
+        float weight = tap.weight * signalWeight(w, centre, value, lumaTolerance);
+        sum.signal = addWeighted(sum.signal, value, weight);
+        sum.weight += weight > 0.0 ? weight : 0.0; // not NaN
+    }
+}
+
 Signal blurLobe(texture2D t, texture2D second, Pixel p, Lobe lobe, bool isSpecular, ivec2 position, float narrowing,
                 BlurPass pass)
 {
@@ -32,24 +62,19 @@ Signal blurLobe(texture2D t, texture2D second, Pixel p, Lobe lobe, bool isSpecul
     // Where the hit distance is the signal, a floor that fades would leave nothing to average.
     float minHitDist = g.minHitDistanceWeight * pass.fractionScale * spread * (kIsBounded ? 1.0 : narrowing);
     Weights w = makeWeights(p, lobe, isSpecular, narrowing, pass.fractionScale, minHitDist);
-    vec3 T, B;
-    vec2 skew = diffuseSkew(p) * radius * g.rectSizeInv;
-    if (isSpecular) specularKernel(p, factor, narrowing, radius, T, B);
-    Signal sum = centre;
-    float weightSum = 1.0;
-    for (int i = 0; i < 8; i++)
-    {
-        vec2 offset = rotateTap(pass.rotator, kTaps[i].xy);
-        vec2 uv = isSpecular ? viewToUv(p.Xv + T * offset.x + B * offset.y) : p.uv + offset * skew;
-        Tap tap = readTap(gIn_ViewZ, gIn_NormalRoughness, p, lobe, w, uv, kTaps[i].z);
-        Signal value = readSignal(t, second, tap.pixel);
-        float weight = tap.weight * hitDistWeight(w, centre.value.w, value.value.w);
-        // Occlusion is its own hit distance, whose weight is strict enough: with another it flickered more.
-        if (!kIsBounded) weight *= lumaWeight(luma(centre), luma(value), narrowing);
-        sum = addWeighted(sum, value, weight);
-        weightSum += weight > 0.0 ? weight : 0.0; // not NaN
-    }
-    Signal result = scaled(sum, 1.0 / weightSum);
+    Kernel kernel;
+    if (isSpecular)
+        kernel = specularKernel(p, pass.rotator, factor, narrowing, radius);
+    else
+        kernel = flatKernel(p, pass.rotator, diffuseSkew(p) * radius);
+    float lumaTolerance = kLumaTolerance * narrowing;
+    Sum sum = Sum(centre, 1.0);
+    // Few kernels reach beyond the screen: the others need not ask it of every tap.
+    if (isOnScreen(kernel))
+        addTaps(sum, t, second, p, lobe, isSpecular, kernel, w, lumaTolerance, false);
+    else
+        addTaps(sum, t, second, p, lobe, isSpecular, kernel, w, lumaTolerance, true);
+    Signal result = scaled(sum.signal, 1.0 / sum.weight);
     if (!kIsBounded) result.value.w = centre.value.w;
     return result;
 }

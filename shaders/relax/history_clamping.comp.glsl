@@ -1,6 +1,7 @@
 // Fills pixels with a short history from a wide sparse neighbourhood, bounds the long history by statistics of the
 // short one, and antilag: both move towards the noisy present where they disagree with it by more than noise explains.
 #version 460
+#extension GL_EXT_control_flow_attributes : require
 #extension GL_GOOGLE_include_directive : require
 #include "spatial_filter.glsl"
 
@@ -37,65 +38,128 @@ const ivec2 kHalo = ivec2(8 + 2 * kRadius, 16 + 2 * kRadius);
 const float kInvalid = -1.0; // lumas are not negative
 const float kRelitFrameNum = 4.0; // what a mean over 5x5 noisy pixels is worth
 
-shared vec4 sLumas[kHalo.y][kHalo.x]; // fast and noisy of one lobe, then of the other
-shared vec2 sSlow[kHalo.y][kHalo.x];  // per lobe
+// A group may hold only a small share of a multiprocessor's shared memory, or too few of them run side by side to hide
+// latencies. So lumas are kept as the half floats they are stored as.
+shared uvec2 sLumas[kHalo.y][kHalo.x]; // per lobe: fast, noisy
+shared uint sSlow[kHalo.y][kHalo.x];   // both lobes
 
+vec2 slowLumas(ivec2 pixel)
+{
+    vec2 lumas = vec2(0.0);
+#if HAS_DIFFUSE
+    lumas.x = texelFetch(gIn_Diffuse, pixel, 0).x;
+#endif
+#if HAS_SPECULAR
+    lumas[kSpecularChannel] = texelFetch(gIn_Specular, pixel, 0).x;
+#endif
+    return lumas;
+}
+
+// Unrolled and without a branch, so that all reads are under way at once; the last texel is loaded repeatedly.
 void loadLumas(ivec2 group)
 {
-    for (int i = int(gl_LocalInvocationIndex); i < kHalo.x * kHalo.y; i += 128)
+    const int kNum = kHalo.x * kHalo.y;
+    [[unroll]] for (int first = 0; first < kNum; first += 128)
     {
+        int i = min(first + int(gl_LocalInvocationIndex), kNum - 1);
         ivec2 local = ivec2(i % kHalo.x, i / kHalo.x);
         ivec2 pixel = group + local - kRadius;
         ivec2 inside = clampToRect(pixel);
-        bool isUsed = pixel == inside && isInRange(decodeViewZ(texelFetch(gIn_ViewZ, guideTexel(inside), 0).x));
-        sLumas[local.y][local.x] = isUsed ? texelFetch(gIn_Fast, inside, 0) : vec4(kInvalid);
-        vec2 slow = vec2(0.0);
-#if HAS_DIFFUSE
-        slow.x = texelFetch(gIn_Diffuse, inside, 0).x;
-#endif
-#if HAS_SPECULAR
-        slow[kSpecularChannel] = texelFetch(gIn_Specular, inside, 0).x;
-#endif
-        sSlow[local.y][local.x] = slow;
+        float viewZ = decodeViewZ(texelFetch(gIn_ViewZ, guideTexel(inside), 0).x);
+        vec4 lumas = texelFetch(gIn_Fast, inside, 0);
+        lumas = pixel == inside && isInRange(viewZ) ? lumas : vec4(kInvalid);
+        sLumas[local.y][local.x] = uvec2(packHalf2x16(lumas.xy), packHalf2x16(lumas.zw));
+        sSlow[local.y][local.x] = packHalf2x16(slowLumas(inside));
     }
+}
+
+// Measured at a time: fast and noisy of one lobe, or what the fast one of both differs from the long history by.
+const int kChange = 2;
+
+vec2 valueAt(int kind, ivec2 at)
+{
+    uvec2 lumas = sLumas[at.y][at.x];
+    if (kind != kChange) return unpackHalf2x16(lumas[kind]);
+    return vec2(unpackHalf2x16(lumas.x).x, unpackHalf2x16(lumas.y).x) - unpackHalf2x16(sSlow[at.y][at.x]);
+}
+
+bool isValid(ivec2 at) { return unpackHalf2x16(sLumas[at.y][at.x].x).x != kInvalid; }
+
+struct Spread
+{
+    vec2 mean;
+    vec2 squares; // of differences from the mean
+};
+
+// Of the five valid texels, or less, of a row; mean, then squares.
+shared vec4 sRows[kHalo.y][8];
+shared float sCount[kHalo.y][8];
+
+// Differences from the row's own mean: sums of squares have no digits left for a variance on bright flat walls.
+void measureRow(int kind, ivec2 first)
+{
+    vec2 mean = vec2(0.0), squares = vec2(0.0);
+    float count = 0.0;
+    for (int x = 0; x < 5; x++)
+    {
+        ivec2 at = first + ivec2(x, 0);
+        if (!isValid(at)) continue;
+        mean += valueAt(kind, at);
+        count += 1.0;
+    }
+    mean /= max(count, 1.0);
+    for (int x = 0; x < 5; x++)
+    {
+        ivec2 at = first + ivec2(x, 0);
+        vec2 difference = valueAt(kind, at) - mean;
+        if (isValid(at)) squares += difference * difference;
+    }
+    sRows[first.y][first.x] = vec4(mean, squares);
+    sCount[first.y][first.x] = count;
+}
+
+// 5x5; what is out of range counts as the centre. Squares of parts add up with those of their means. Has barriers: what
+// is measured takes the place of what was measured before.
+Spread measure(int kind)
+{
+    barrier();
+    for (int i = int(gl_LocalInvocationIndex); i < 8 * kHalo.y; i += 128) measureRow(kind, ivec2(i % 8, i / 8));
+    barrier();
+    ivec2 local = ivec2(gl_LocalInvocationID.xy);
+    vec2 centre = valueAt(kind, local + kRadius);
+    vec2 sum = vec2(0.0);
+    float missing = 25.0;
+    for (int y = 0; y < 5; y++)
+    {
+        float count = sCount[local.y + y][local.x];
+        sum += count * (sRows[local.y + y][local.x].xy - centre);
+        missing -= count;
+    }
+    vec2 mean = centre + sum / 25.0;
+    vec2 squares = missing * (centre - mean) * (centre - mean);
+    for (int y = 0; y < 5; y++)
+    {
+        vec4 row = sRows[local.y + y][local.x];
+        squares += row.zw + sCount[local.y + y][local.x] * (row.xy - mean) * (row.xy - mean);
+    }
+    return Spread(mean, squares);
 }
 
 struct Moments
 {
-    vec4 mean;
+    vec4 mean; // fast and noisy of one lobe, then of the other
     vec4 sigma;
     vec2 slow;        // mean of the long history, per lobe
     vec2 changeSigma; // of what the short history differs from it by
 };
 
-// 5x5; what is out of range counts as the centre. Two passes: a variance from sums of squares has no digits left on
-// bright flat walls.
 Moments measureLumas()
 {
-    ivec2 local = ivec2(gl_LocalInvocationID.xy);
-    vec4 centre = sLumas[local.y + kRadius][local.x + kRadius];
-    vec2 centreSlow = sSlow[local.y + kRadius][local.x + kRadius];
-    vec4 mean = vec4(0.0), variance = vec4(0.0);
-    vec2 slow = vec2(0.0), changeVariance = vec2(0.0);
-    for (int i = 0; i < 25; i++)
-    {
-        vec4 value = sLumas[local.y + i / 5][local.x + i % 5];
-        bool isUsed = value.x != kInvalid;
-        mean += isUsed ? value - centre : vec4(0.0);
-        slow += isUsed ? sSlow[local.y + i / 5][local.x + i % 5] - centreSlow : vec2(0.0);
-    }
-    mean = centre + mean / 25.0;
-    slow = centreSlow + slow / 25.0;
-    for (int i = 0; i < 25; i++)
-    {
-        vec4 value = sLumas[local.y + i / 5][local.x + i % 5];
-        bool isUsed = value.x != kInvalid;
-        vec4 difference = (isUsed ? value : centre) - mean;
-        vec2 slowDifference = (isUsed ? sSlow[local.y + i / 5][local.x + i % 5] : centreSlow) - slow;
-        variance += difference * difference;
-        changeVariance += (difference.xz - slowDifference) * (difference.xz - slowDifference);
-    }
-    return Moments(mean, sqrt(variance / 25.0), slow, sqrt(changeVariance / 25.0));
+    Spread change = measure(kChange), first = measure(0), second = first;
+    if (LOBE_NUM == 2) second = measure(1);
+    vec4 mean = vec4(first.mean, second.mean);
+    return Moments(mean, sqrt(vec4(first.squares, second.squares) / 25.0), mean.xz - change.mean,
+                   sqrt(change.squares / 25.0));
 }
 
 ivec2 mirrorPixel(ivec2 pixel)
@@ -108,12 +172,11 @@ float fixTapWeight(Pixel p, Lobe lobe, bool isSpecular, ivec2 pixel, Weights w)
 {
     float viewZ = decodeViewZ(texelFetch(gIn_ViewZ, guideTexel(pixel), 0).x);
     Guide guide = decodeGuide(texelFetch(gIn_NormalRoughness, guideTexel(pixel), 0));
-    if (!isInRange(viewZ) || !isSameMaterial(p.guide.materialID, guide.materialID, lobe.minMaterial)) return 0.0;
-    vec3 Xv = reconstructViewPosition(pixelUv(pixel), g.frustum, viewZ, g.cameraDelta.w);
-    float weight = soft(abs(dot(p.Nv, Xv - p.Xv)) * w.plane);
-    if (!isSpecular) return weight * pow(max(dot(p.guide.N, guide.N), 0.01), g.relaxFixNormalPower);
-    weight *= heavy(acosApprox(dot(p.guide.N, guide.N)) * w.normal);
-    return weight * soft(abs(guide.roughness - p.guide.roughness) * w.roughness);
+    float weight = soft(planeDistance(p, vec2(pixel), viewZ)), cosine = dot(p.guide.N, guide.N);
+    weight *= isSpecular ? heavy(acosApprox(cosine) * w.normal) : pow(max(cosine, 0.01), g.relaxFixNormalPower);
+    if (isSpecular) weight *= soft(abs(guide.roughness - p.guide.roughness) * w.roughness);
+    bool isUsed = isInRange(viewZ) && isSameMaterial(p.guide.materialID, guide.materialID, lobe.minMaterial);
+    return isUsed ? weight : 0.0;
 }
 
 // Strides of 7, 5, 4, 3 pixels for histories of 1 to 4 frames.
@@ -128,12 +191,14 @@ Signal fixHistory(texture2D t, texture2D second, Pixel p, Lobe lobe, bool isSpec
     int channel = isSpecular ? kSpecularChannel : 0;
     Signal sum = scaled(centre, 1.0 + n);
     float weightSum = 1.0 + n;
-    for (int i = 0; i < 25; i++)
+    // Row by row, without a branch round a read, so that those of a row are under way at once.
+    [[dont_unroll]] for (int y = -2; y <= 2; y++)
+    [[unroll]] for (int x = -2; x <= 2; x++)
     {
-        if (i == 12) continue;
-        ivec2 pixel = mirrorPixel(position + (ivec2(i % 5, i / 5) - 2) * stride);
+        ivec2 pixel = mirrorPixel(position + ivec2(x, y) * stride);
+        bool isTap = x != 0 || y != 0;
         float weight = fixTapWeight(p, lobe, isSpecular, pixel, w);
-        weight *= 1.0 + unpackLengths(texelFetch(gIn_Length, pixel, 0).xy)[channel];
+        weight *= isTap ? 1.0 + unpackLengths(texelFetch(gIn_Length, pixel, 0).xy)[channel] : 0.0;
         sum = addWeighted(sum, readSignal(t, second, pixel), weight);
         weightSum += weight > 0.0 ? weight : 0.0; // not NaN
     }
@@ -150,9 +215,8 @@ Signal suppressFirefly(texture2D t, Pixel p, Lobe lobe, ivec2 position, Signal s
         if (i == 4 || clampToRect(pixel) != pixel) continue;
         float viewZ = decodeViewZ(texelFetch(gIn_ViewZ, guideTexel(pixel), 0).x);
         Guide guide = decodeGuide(texelFetch(gIn_NormalRoughness, guideTexel(pixel), 0));
-        vec3 Xv = reconstructViewPosition(pixelUv(pixel), g.frustum, viewZ, g.cameraDelta.w);
         bool isLike = isInRange(viewZ) && dot(guide.N, p.guide.N) > 0.99 &&
-                      abs(dot(p.Nv, Xv - p.Xv)) < g.planeDistanceSensitivity * p.frustumSize &&
+                      planeDistance(p, vec2(pixel), viewZ) < 1.0 &&
                       isSameMaterial(p.guide.materialID, guide.materialID, lobe.minMaterial);
         float Y = texelFetch(t, pixel, 0).x;
         if (isInRange(viewZ)) highest = max(highest, Y);
@@ -212,7 +276,7 @@ float relight(float slow, int lobe, Moments m)
 Lumas bound(int lobe, bool isSpecular, float slow, float amount, Moments m)
 {
     ivec2 local = ivec2(gl_LocalInvocationID.xy) + kRadius;
-    float fast = sLumas[local.y][local.x][2 * lobe];
+    float fast = valueAt(lobe, local).x;
     float mean = m.mean[2 * lobe], sigma = m.sigma[2 * lobe] * g.fastClampSigmaScale;
     // Widened to the centre's own fast value, which keeps bright details alive.
     float clamped = clamp(slow, min(mean - sigma, fast), max(mean + sigma, fast));
@@ -251,14 +315,13 @@ void main()
     if (isInside) imageStore(gOut_PrevViewZ, position, vec4(storedViewZ));
     if (texelFetch(gIn_Tiles, group / TILE_SIZE, 0).x > 0.5) return; // the same for the whole group
     loadLumas(group);
-    barrier();
+    Moments m = measureLumas();
     float viewZ = decodeViewZ(storedViewZ);
     if (!isInside || !isInRange(viewZ)) return;
     vec4 packedGuide = texelFetch(gIn_NormalRoughness, guideTexel(position), 0);
     imageStore(gOut_PrevNormalRoughness, position, packedGuide);
     Pixel p = makePixel(position, viewZ, decodeGuide(packedGuide));
     vec2 n = unpackLengths(texelFetch(gIn_Length, position, 0).xy);
-    Moments m = measureLumas();
     vec2 fast = vec2(0.0);
 #if HAS_DIFFUSE
     Lobe diffuseLobe = Lobe(1.0, g.minMaterialForDiffuse, 0.0);
