@@ -84,21 +84,30 @@ struct GuideMaker
     const Setup& setup;
     Frame& frame;
     View now, before;
+    int frameIndex;
 
     float storedViewZ(float z) const
     {
         return z * setup.unitsPerMeter * setup.viewZFactor * (setup.isRightHanded ? -1.0f : 1.0f);
     }
 
+    glm::vec4 storedMotion(glm::vec3 v) const { return {v * setup.unitsPerMeter * setup.motionFactor, 0.0f}; }
+
+    glm::vec4 reflectionMotion(int x, int y) const
+    {
+        const glm::vec3 v = setup.reflectionMotionAt(worldPosition(frame, x, y), {x, y}, frameIndex);
+        return {glm::vec3(storedMotion(v)), 1.0f}; // 1 = every pixel has a sample
+    }
+
     // In front of the jitter: a static scene under a static camera does not move.
     glm::vec4 motion(int x, int y) const
     {
-        if (setup.motion == MotionKind::World)
-            return glm::vec4(-setup.sceneVelocity * setup.unitsPerMeter * setup.motionFactor, 0.0f);
         const glm::vec3 world = worldPosition(frame, x, y);
-        const glm::vec2 delta = projectToUv(before.camera, world) - projectToUv(now.camera, world);
+        const glm::vec3 own = setup.motionAt ? setup.motionAt(world, {x, y}, frameIndex) : glm::vec3(0.0f);
+        if (setup.motion == MotionKind::World) return storedMotion(own - setup.sceneVelocity);
+        const glm::vec2 delta = projectToUv(before.camera, world + own) - projectToUv(now.camera, world);
         const float z = frame.guides.viewZ[frame.pixel(x, y)];
-        const float zBefore = (before.camera.worldToView * glm::vec4(world, 1.0f)).z;
+        const float zBefore = (before.camera.worldToView * glm::vec4(world + own, 1.0f)).z;
         const glm::vec2 pixels = delta * glm::vec2(setup.rect);
         return {pixels * setup.motionFactor, (storedViewZ(zBefore) - storedViewZ(z)) * setup.motionFactor, 0.0f};
     }
@@ -115,11 +124,16 @@ struct GuideMaker
         const bool isSky = !frame.isInRange(x, y);
         if (slot == Slot::IN_VIEWZ) return glm::vec4(storedViewZ(frame.guides.viewZ[frame.pixel(x, y)]), 0, 0, 0);
         if (slot == Slot::IN_NORMAL_ROUGHNESS) return guide(x, y);
-        return isSky ? glm::vec4(0.0f) : motion(x, y);
+        if (isSky) return glm::vec4(0.0f);
+        return slot == Slot::IN_SPEC_MV ? reflectionMotion(x, y) : motion(x, y);
     }
 };
 
-bool isGuide(Slot slot) { return slot == Slot::IN_VIEWZ || slot == Slot::IN_NORMAL_ROUGHNESS || slot == Slot::IN_MV; }
+bool isGuide(Slot slot)
+{
+    return slot == Slot::IN_VIEWZ || slot == Slot::IN_NORMAL_ROUGHNESS || slot == Slot::IN_MV ||
+           slot == Slot::IN_SPEC_MV;
+}
 
 void addGuide(const GuideMaker& maker, Slot slot)
 {
@@ -179,9 +193,10 @@ Frame makeFrame(const Setup& setup, const std::vector<nrd::ResourceRequirement>&
     frame.rect = pixelsOf(setup, frameIndex);
     frame.hasSky = std::any_of(needs.begin(), needs.end(),
                                [](const nrd::ResourceRequirement& need) { return need.type == Slot::IN_VIEWZ; });
+    frame.denoisingRange = setup.denoisingRange;
     const View view = makeView(setup, frameIndex);
     frame.guides = renderView(setup, view, frameIndex);
-    const GuideMaker maker = {setup, frame, view, makeView(setup, std::max(frameIndex - 1, 0))};
+    const GuideMaker maker = {setup, frame, view, makeView(setup, std::max(frameIndex - 1, 0)), frameIndex};
     for (const nrd::ResourceRequirement& need : needs)
     {
         if (!need.isRequired) continue;

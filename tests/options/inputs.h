@@ -17,6 +17,7 @@ struct Frame
     glm::ivec2 rect{0};     // the active part, outputs at its place
     quality::Guides guides; // of the rectangle
     bool hasSky = true;     // false: without IN_VIEWZ every pixel counts
+    float denoisingRange = quality::kDenoisingRange;
     std::map<nrd::ResourceType, rhi::Format> formats;
     std::map<nrd::ResourceType, Plane> inputs; // `size`
     std::map<nrd::ResourceType, Plane> noisy;  // `rect`, by output slot: what the noisy input says of each pixel
@@ -24,10 +25,7 @@ struct Frame
 
     size_t texel(int x, int y) const { return static_cast<size_t>(y * size.x + x); }
     size_t pixel(int x, int y) const { return static_cast<size_t>(y * rect.x + x); }
-    bool isInRange(int x, int y) const
-    {
-        return !hasSky || std::abs(guides.viewZ[pixel(x, y)]) < quality::kDenoisingRange;
-    }
+    bool isInRange(int x, int y) const { return !hasSky || std::abs(guides.viewZ[pixel(x, y)]) < denoisingRange; }
 };
 
 // Of a pixel of the rectangle, in metres.

@@ -9,20 +9,20 @@ namespace options
 {
 namespace
 {
-constexpr float kNear = 0.05f, kFar = 500.0f, kFovY = 1.0f;
+constexpr float kNear = 0.05f, kFar = 500.0f;
 
-glm::mat4 makeProjection(Projection projection, float aspect)
+glm::mat4 makeProjection(Projection projection, float fovY, float aspect)
 {
     constexpr float kOrthographicHeight = 3.0f; // half
     constexpr float kWidth = kOrthographicHeight;
-    const glm::mat4 usual = glm::perspectiveLH_ZO(kFovY, aspect, kNear, kFar);
+    const glm::mat4 usual = glm::perspectiveLH_ZO(fovY, aspect, kNear, kFar);
     glm::mat4 infinite = usual;
     switch (projection)
     {
     case Projection::Perspective:
         return usual;
     case Projection::Reversed:
-        return glm::perspectiveLH_ZO(kFovY, aspect, kFar, kNear);
+        return glm::perspectiveLH_ZO(fovY, aspect, kFar, kNear);
     case Projection::Infinite:
         infinite[2][2] = 1.0f;
         infinite[3][2] = -kNear;
@@ -50,6 +50,23 @@ void copy(uint16_t (&out)[2], glm::ivec2 size)
 {
     out[0] = static_cast<uint16_t>(size.x);
     out[1] = static_cast<uint16_t>(size.y);
+}
+
+void copy(double (&out)[3], const glm::dvec3& v)
+{
+    for (int i = 0; i < 3; i++) out[i] = v[i];
+}
+
+glm::dvec3 positionOf(const View& view)
+{
+    return glm::dvec3(glm::inverse(glm::dmat4(view.camera.worldToView))[3]); // without the origin, which is far
+}
+
+// In units, as the application keeps it in double precision.
+glm::dvec3 findCameraDelta(const Setup& setup, const View& now, const View& before, int frames)
+{
+    const glm::dvec3 scene = glm::dvec3(setup.sceneVelocity) * double(frames);
+    return (positionOf(before) - positionOf(now) - scene) * double(setup.unitsPerMeter);
 }
 
 void setMotion(const Setup& setup, nrd::CommonSettings& common)
@@ -113,12 +130,13 @@ View makeView(const Setup& setup, int frame)
     view.camera =
         setup.camera ? setup.camera(frame) : quality::makeCamera(frame, setup.speed, setup.rect.x, setup.rect.y);
     const float aspect = static_cast<float>(setup.rect.x) / static_cast<float>(setup.rect.y);
-    view.camera.viewToClip = makeProjection(setup.projection, aspect);
+    view.camera.viewToClip = makeProjection(setup.projection, setup.fovY, aspect);
     if (setup.isJittered) view.jitter = jitterOf(frame);
 
     view.viewToClip = view.camera.viewToClip;
     view.viewToClip[3][2] *= setup.unitsPerMeter;
-    view.worldToView = glm::translate(view.camera.worldToView, -setup.sceneVelocity * static_cast<float>(frame));
+    const glm::dvec3 origin = setup.worldOrigin + glm::dvec3(setup.sceneVelocity * static_cast<float>(frame));
+    view.worldToView = glm::translate(glm::dmat4(view.camera.worldToView), -origin);
     view.worldToView[3] = glm::vec4(glm::vec3(view.worldToView[3]) * setup.unitsPerMeter, 1.0f);
     if (!setup.isRightHanded) return view;
     view.viewToClip[2] = -view.viewToClip[2];
@@ -133,7 +151,7 @@ quality::Guides renderView(const Setup& setup, const View& view, int frame)
     quality::Camera camera = view.camera;
     const bool isOrthographic = setup.projection == Projection::Orthographic;
     const float aspect = static_cast<float>(setup.rect.x) / static_cast<float>(setup.rect.y);
-    if (!isOrthographic) camera.viewToClip = makeProjection(Projection::Perspective, aspect);
+    if (!isOrthographic) camera.viewToClip = makeProjection(Projection::Perspective, setup.fovY, aspect);
     const glm::vec2 shift = 2.0f * view.jitter / glm::vec2(rectOf(setup, frame));
     const int column = isOrthographic ? 3 : 2;
     camera.viewToClip[column][0] -= shift.x;
@@ -163,11 +181,14 @@ nrd::CommonSettings makeCommon(const Setup& setup, int frame, bool isFirst)
     copy(common.rectOrigin, setup.origin);
     common.metersToUnits = setup.unitsPerMeter;
     common.viewZScale = 1.0f / std::abs(setup.viewZFactor);
-    common.denoisingRange = quality::kDenoisingRange * setup.unitsPerMeter;
+    common.denoisingRange = setup.denoisingRange * setup.unitsPerMeter;
     common.timeDeltaBetweenFrames = 16.667f;
     common.frameIndex = static_cast<uint32_t>(frame);
     common.isHistoryConfidenceAvailable = setup.confidence.has_value();
     common.isDisocclusionThresholdMixAvailable = setup.thresholdMix.has_value();
+    common.isSpecularMotionAvailable = setup.reflectionMotionAt != nullptr;
+    common.isCameraDeltaAvailable = setup.isCameraDeltaGiven;
+    if (setup.isCameraDeltaGiven) copy(common.cameraDelta, findCameraDelta(setup, view, before, frame - previous));
     if (setup.changeCommon) setup.changeCommon(common, frame);
     return common;
 }

@@ -59,10 +59,14 @@ struct Setup
     bool hasLargeFormats = false; // otherwise the least formats that serve
 
     Projection projection = Projection::Perspective;
+    float fovY = 1.0f;          // radians, of perspectives
     bool isRightHanded = false; // view space looks along -Z, depths are negative
     float viewZFactor = 1.0f;   // what IN_VIEWZ holds per unit of depth
     bool hasHalfViewZ = false;
     float unitsPerMeter = 1.0f;
+    float denoisingRange = quality::kDenoisingRange; // metres
+    glm::dvec3 worldOrigin{0.0};                     // metres, where the scene and the camera stand in the world
+    bool isCameraDeltaGiven = false;                 // in double precision, whatever the matrices have lost
 
     MotionKind motion = MotionKind::World;
     float motionFactor = 1.0f;     // what IN_MV holds per unit, or per pixel
@@ -70,7 +74,9 @@ struct Setup
     float speed = 0.05f;           // of quality::makeCamera()
     bool isJittered = false;
 
-    float mean = 1.0f;          // luma of the signals; of shadows a factor to what is visible of the light
+    float mean = 1.0f;          // luma of the signals; of shadows and occlusion a factor to the visible share
+    unsigned seed = 0;          // of the noise
+    bool isAntithetic = false;  // odd frames are the opposite of those before: two of them have no noise together
     bool isHalfMissing = false; // half of the pixels have no sample of a lobe; the others count twice
     bool isBroken = false;      // one sample in sixteen is no number
     std::optional<float> confidence, thresholdMix;
@@ -79,7 +85,11 @@ struct Setup
     std::function<void(nrd::CommonSettings&, int frame)> changeCommon;
     std::function<quality::Camera(int frame)> camera; // in place of quality::makeCamera()
     std::function<quality::Guides(const quality::Camera&, glm::ivec2 size, int frame)> scene;
-    std::function<float(int x, int width)> meanAt; // in place of `mean`
+    // In place of `mean`, from positions in metres.
+    std::function<float(glm::vec3 position, glm::ivec2 pixel, int frame)> meanAt;
+    std::function<float(glm::vec3 position, glm::ivec2 pixel, int frame)> hitDistAt;              // metres
+    std::function<glm::vec3(glm::vec3 position, glm::ivec2 pixel, int frame)> motionAt;           // metres, world space
+    std::function<glm::vec3(glm::vec3 position, glm::ivec2 pixel, int frame)> reflectionMotionAt; // in IN_SPEC_MV
     // RELAX: RGB and hit distance in place of the noisy samples. REFERENCE: the signal.
     std::function<glm::vec4(glm::ivec2 pixel, int frame)> sampleAt;
     // SIGMA: in place of a shadow's edge down the middle, from positions in metres; no means then.

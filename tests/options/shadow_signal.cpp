@@ -12,32 +12,35 @@ constexpr float kHalfWidth = 0.25f;       // of the penumbra, metres
 constexpr float kLit = 65504.0f;          // the front end's flag
 const glm::vec3 kGlass(0.8f, 0.4f, 0.1f); // of half of the occluders
 
-float visibleFraction(const Setup& setup, int x, int width)
+float visibleFraction(const Setup& setup, const Frame& frame, glm::ivec2 pixel, int frameIndex)
 {
-    if (setup.meanAt) return setup.meanAt(x, width);
-    const float u = (static_cast<float>(x) + 0.5f) / static_cast<float>(width);
+    if (setup.meanAt) return glm::clamp(meanOf(setup, frame, pixel, frameIndex), 0.0f, 1.0f);
+    const float u = (static_cast<float>(pixel.x) + 0.5f) / static_cast<float>(frame.rect.x);
     return glm::clamp(setup.mean * (1.5f - 2.0f * u), 0.0f, 1.0f);
 }
 
 glm::vec4 meanTranslucency(float visible) { return {visible, glm::vec3(visible) + 0.5f * (1.0f - visible) * kGlass}; }
 
-LightRay castRay(const Setup& setup, int x, int width, std::mt19937& rng)
+// visible: share of the light. Opposite rays meet what the others pass.
+LightRay castRay(const Setup& setup, float visible, bool isOpposite, std::mt19937& rng)
 {
     const float random = static_cast<float>(rng() >> 8) * (1.0f / 16777216.0f);
-    const bool isThroughGlass = (rng() >> 31) != 0;
-    if (random < visibleFraction(setup, x, width)) return {};
+    const bool isThroughGlass = ((rng() >> 31) != 0) != isOpposite;
+    if ((isOpposite ? 1.0f - random : random) < visible) return {};
     return {kHalfWidth * setup.unitsPerMeter, {0.0f, isThroughGlass ? kGlass : glm::vec3(0.0f)}};
 }
 
 // The same rays whichever slot is asked for.
 std::vector<LightRay> castRays(const Setup& setup, const Frame& frame, int frameIndex)
 {
-    std::mt19937 rng(static_cast<unsigned>(frameIndex));
+    const Noise noise = noiseOf(setup, frameIndex);
+    std::mt19937 rng(noise.seed);
     std::vector<LightRay> rays;
     for (int y = 0; y < frame.rect.y; y++)
         for (int x = 0; x < frame.rect.x; x++)
-            rays.push_back(setup.rayAt ? setup.rayAt(worldPosition(frame, x, y), {x, y}, frameIndex)
-                                       : castRay(setup, x, frame.rect.x, rng));
+            rays.push_back(
+                setup.rayAt ? setup.rayAt(worldPosition(frame, x, y), {x, y}, frameIndex)
+                            : castRay(setup, visibleFraction(setup, frame, {x, y}, frameIndex), noise.isOpposite, rng));
     return rays;
 }
 
@@ -56,10 +59,12 @@ void addShadow(const Setup& setup, Frame& frame, Slot slot, int frameIndex)
     for (const LightRay& ray : castRays(setup, frame, frameIndex))
     {
         const glm::vec4 sample = isPenumbra ? glm::vec4(ray.penumbra, 0.0f, 0.0f, 0.0f) : ray.translucency;
-        const int x = static_cast<int>(samples.size()) % frame.rect.x;
+        const int i = static_cast<int>(samples.size());
+        const glm::ivec2 pixel(i % frame.rect.x, i / frame.rect.x);
         samples.push_back(asStored(frame.formats.at(slot), sample));
         noisy.push_back(asOutput(setup, ray.translucency));
-        if (!setup.rayAt) means.push_back(asOutput(setup, meanTranslucency(visibleFraction(setup, x, frame.rect.x))));
+        if (!setup.rayAt)
+            means.push_back(asOutput(setup, meanTranslucency(visibleFraction(setup, frame, pixel, frameIndex))));
     }
     frame.inputs[slot] = packSamples(setup, frame, slot, frameIndex, false, samples);
     frame.noisy[Slot::OUT_SHADOW_TRANSLUCENCY] = noisy;

@@ -24,7 +24,7 @@ class SampleSource
 {
 public:
     SampleSource(const Setup& setup, bool isSpecular, int frameIndex)
-        : m_setup(setup), m_rng(static_cast<unsigned>(2 * frameIndex + (isSpecular ? 1 : 0)))
+        : m_setup(setup), m_noise(noiseOf(setup, frameIndex)), m_rng(2 * m_noise.seed + (isSpecular ? 1 : 0))
     {
     }
 
@@ -33,7 +33,7 @@ public:
         Sample s;
         s.luma = flip() ? 2.0f * mean : 0.0f;
         s.hitDist = 0.2f + 0.3f * unit();
-        s.occlusion = flip() ? 0.6f : 0.2f;
+        s.occlusion = std::min((flip() ? 0.6f : 0.2f) * mean, 1.0f);
         s.direction = flip() ? glm::vec3(0.6f, 0.8f, 0.0f) : glm::vec3(0.0f, 0.8f, 0.6f);
         const bool isMissing = flip();
         if (!m_setup.isHalfMissing) return s;
@@ -43,9 +43,10 @@ public:
 
 private:
     float unit() { return static_cast<float>(m_rng() >> 8) * (1.0f / 16777216.0f); }
-    bool flip() { return unit() < 0.5f; }
+    bool flip() { return (unit() < 0.5f) != m_noise.isOpposite; }
 
     const Setup& m_setup;
+    Noise m_noise;
     std::mt19937 m_rng;
 };
 
@@ -129,7 +130,28 @@ glm::vec4 encode(Slot input, const Sample& s, const Setup& setup)
     if (isDirections(input)) return {s.direction * s.luma, 0.0f};
     return radiance(s.luma, s.hitDist);
 }
+// In the units of a sample's.
+float storedHitDist(const Setup& setup, const Frame& frame, glm::ivec2 pixel, int frameIndex, bool isSpecular)
+{
+    const float meters = setup.hitDistAt(worldPosition(frame, pixel.x, pixel.y), pixel, frameIndex);
+    if (isRelax(setup.denoiser)) return meters / kMetersPerHitDist;
+    const size_t i = frame.pixel(pixel.x, pixel.y);
+    return quality::normalizeHitDist(meters, frame.guides.viewZ[i], isSpecular ? frame.guides.roughness[i] : 1.0f);
+}
 } // namespace
+
+float meanOf(const Setup& setup, const Frame& frame, glm::ivec2 pixel, int frameIndex)
+{
+    if (!setup.meanAt) return setup.mean;
+    return setup.meanAt(worldPosition(frame, pixel.x, pixel.y), pixel, frameIndex);
+}
+
+Noise noiseOf(const Setup& setup, int frameIndex)
+{
+    constexpr unsigned kSeedStride = 1u << 20; // frames of one seed and the next
+    const bool isOpposite = setup.isAntithetic && (frameIndex & 1) != 0;
+    return {setup.seed * kSeedStride + static_cast<unsigned>(isOpposite ? frameIndex - 1 : frameIndex), isOpposite};
+}
 
 glm::vec4 asStored(rhi::Format format, glm::vec4 value)
 {
@@ -175,11 +197,12 @@ void addSignal(const Setup& setup, Frame& frame, Slot slot, int frameIndex)
     {
         for (int x = 0; x < frame.rect.x; x++)
         {
-            const float mean = setup.meanAt ? setup.meanAt(x, frame.rect.x) : setup.mean;
-            const Sample sample = source.next(mean);
+            const float mean = meanOf(setup, frame, {x, y}, frameIndex);
+            Sample sample = source.next(mean);
+            if (setup.hitDistAt) sample.hitDist = storedHitDist(setup, frame, {x, y}, frameIndex, kind.isSpecular);
             const glm::vec4 value =
                 setup.sampleAt ? encodeGiven(slot, setup.sampleAt({x, y}, frameIndex)) : encode(slot, sample, setup);
-            const Sample truth = {mean, kHitDistMean, kOcclusionMean, kDirectionMean};
+            const Sample truth = {mean, kHitDistMean, std::min(kOcclusionMean * mean, 1.0f), kDirectionMean};
             samples.push_back(asStored(frame.formats.at(slot), value));
             noisy.push_back(asOutput(slot, samples.back(), setup));
             means.push_back(asOutput(slot, encode(slot, truth, setup), setup));

@@ -10,6 +10,16 @@ void addSignal(const Setup& setup, Frame& frame, nrd::ResourceType slot, int fra
 // The same for a slot of SIGMA's: a shadow's edge goes down the middle, its penumbra takes half of the width.
 void addShadow(const Setup& setup, Frame& frame, nrd::ResourceType slot, int frameIndex);
 
+float meanOf(const Setup& setup, const Frame& frame, glm::ivec2 pixel, int frameIndex);
+
+// Seed of a frame's noise, and whether it is that of the frame before, turned round.
+struct Noise
+{
+    unsigned seed;
+    bool isOpposite;
+};
+Noise noiseOf(const Setup& setup, int frameIndex);
+
 // Two pixels share a texel of a checkerboard, and one of them has data. samples: one per pixel of the rectangle.
 Plane packSamples(const Setup& setup, const Frame& frame, nrd::ResourceType slot, int frameIndex, bool isSpecular,
                   const Plane& samples);

@@ -53,7 +53,7 @@ double borderStep(Runner& runner, nrd::Denoiser denoiser, uint32_t minMaterial)
     setup.camera = standStill;
     setup.scene = renderWall;
     setup.hasMaterials = true;
-    setup.meanAt = [](int x, int width) { return x < width / 2 ? 1.0f : 3.0f; };
+    setup.meanAt = [](glm::vec3, glm::ivec2 pixel, int) { return pixel.x < kSize.x / 2 ? 1.0f : 3.0f; };
     setup.changeSettings([=](auto& s) { s.minMaterialForDiffuse = s.minMaterialForSpecular = minMaterial; });
     const Result last = runFrames(runner, setup, kFrames);
     double least = 1e30;

@@ -1,5 +1,6 @@
 #include "scene.h"
 #include <glm/gtc/matrix_transform.hpp>
+#include <nrd/settings.h>
 
 namespace quality
 {
@@ -60,6 +61,13 @@ Camera makeCamera(int frame, float speed, int width, int height)
     camera.viewToClip =
         glm::perspectiveLH_ZO(1.0f, static_cast<float>(width) / static_cast<float>(height), 0.05f, 500.0f);
     return camera;
+}
+
+float normalizeHitDist(float hitDist, float viewZ, float roughness)
+{
+    const float spread = (1.0f - std::exp2(-200.0f * roughness * roughness)) * std::sqrt(roughness);
+    const nrd::HitDistanceParameters p;
+    return std::min(hitDist / ((p.A + viewZ * p.B) * glm::mix(p.C, 1.0f, spread)), 1.0f);
 }
 
 Guides renderGuides(const Camera& camera, int width, int height)

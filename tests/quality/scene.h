@@ -37,6 +37,9 @@ struct Hit
 };
 using Trace = std::function<Hit(glm::vec3 origin, glm::vec3 direction)>; // unit direction
 
+// As REBLUR's front end does it with the default parameters.
+float normalizeHitDist(float hitDist, float viewZ, float roughness);
+
 Guides renderGuides(const Camera& camera, int width, int height); // of the scene above
 Guides renderGuides(const Camera& camera, int width, int height, const Trace& trace);
 } // namespace quality

@@ -54,13 +54,6 @@ Reflected reflect(glm::vec3 origin, glm::vec3 direction, float centre, float spe
     return {0.6f + 0.4f * std::sin(3.0f * onCeiling.x), toCeiling, {0.0f, 0.0f, 0.0f}};
 }
 
-float normalized(float hitDist, float viewZ)
-{
-    const float spread = (1.0f - std::exp2(-200.0f * kRoughness * kRoughness)) * std::sqrt(kRoughness);
-    const nrd::HitDistanceParameters p;
-    return std::min(hitDist / ((p.A + viewZ * p.B) * glm::mix(p.C, 1.0f, spread)), 1.0f);
-}
-
 struct Scene
 {
     Frame frame;
@@ -94,7 +87,7 @@ Scene render(const Run& run, int index)
         const float radiance = rng() & 1u ? 2.0f * seen.radiance : 0.0f;
         const bool isWorld = isRelax(run.denoiser);
         scene.frame.specular.push_back(isWorld ? glm::vec4(glm::vec3(radiance), seen.distance)
-                                               : glm::vec4(radiance, 0.0f, 0.0f, normalized(seen.distance, viewZ)));
+                                               : glm::vec4(radiance, 0.0f, 0.0f, normalizeHitDist(seen.distance, viewZ, kRoughness)));
         scene.frame.specularMotion.emplace_back(seen.motion, 1.0f);
     }
     return scene;

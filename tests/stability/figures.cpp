@@ -1,0 +1,32 @@
+#include "figures.h"
+#include "catch.h"
+#include <cstdio>
+#include <cstdlib>
+#include <utility>
+
+namespace stability
+{
+bool isLong() { return std::getenv("NRD_TEST_LONG") != nullptr; }
+
+Figure::Figure(std::string what, std::string unit, double bound)
+    : m_what(std::move(what)), m_unit(std::move(unit)), m_bound(bound)
+{
+}
+
+Figure::~Figure()
+{
+    if (m_denoiser == nrd::Denoiser::MAX_NUM) return;
+    std::printf("FIGURE %s: %.4g %s at worst, of %s (bound %.4g)\n", m_what.c_str(), m_worst, m_unit.c_str(),
+                nrd::toString(m_denoiser), m_bound);
+}
+
+void Figure::add(nrd::Denoiser denoiser, double value)
+{
+    INFO(nrd::toString(denoiser) << ", " << m_what << " [" << m_unit << "]");
+    CHECK(value <= m_bound); // fails for NaN too
+    if (isLong()) std::printf("%s, %s: %.4g %s\n", nrd::toString(denoiser), m_what.c_str(), value, m_unit.c_str());
+    if (value <= m_worst && m_denoiser != nrd::Denoiser::MAX_NUM) return;
+    m_worst = value;
+    m_denoiser = denoiser;
+}
+} // namespace stability

@@ -1,0 +1,74 @@
+#include "runners.h"
+#include "catch.h"
+#include "validated_device.h"
+#include <map>
+#include <memory>
+#include <string_view>
+
+namespace stability
+{
+bool isAny(nrd::Denoiser) { return true; }
+bool isDenoiser(nrd::Denoiser denoiser) { return denoiser != nrd::Denoiser::REFERENCE; }
+
+bool hasSpecular(nrd::Denoiser denoiser)
+{
+    return std::string_view(nrd::toString(denoiser)).find("SPECULAR") != std::string_view::npos;
+}
+
+bool isWidest(nrd::Denoiser denoiser)
+{
+    using D = nrd::Denoiser;
+    for (const D widest :
+         {D::REBLUR_DIFFUSE_SPECULAR_SH, D::REBLUR_DIFFUSE_SPECULAR_OCCLUSION, D::REBLUR_DIFFUSE_DIRECTIONAL_OCCLUSION,
+          D::RELAX_DIFFUSE_SPECULAR_SH, D::SIGMA_SHADOW_TRANSLUCENCY, D::REFERENCE})
+        if (denoiser == widest) return true;
+    return false;
+}
+
+std::vector<nrd::Denoiser> denoisersThat(const Filter& filter)
+{
+    std::vector<nrd::Denoiser> denoisers;
+    for (const nrd::Denoiser denoiser : options::allDenoisers())
+        if (filter(denoiser)) denoisers.push_back(denoiser);
+    return denoisers;
+}
+
+options::Runner& runnerOf(nrd::Denoiser denoiser)
+{
+    (void)test::validatedDevice(); // made first, so that it outlives the runners
+    static std::map<nrd::Denoiser, std::unique_ptr<options::Runner>> runners;
+    std::unique_ptr<options::Runner>& runner = runners[denoiser];
+    if (!runner) runner = std::make_unique<options::Runner>(denoiser);
+    return *runner;
+}
+
+options::Setup makeSetup(nrd::Denoiser denoiser)
+{
+    options::Setup setup = options::makeSetup(denoiser, kSize);
+    setup.hasLargeFormats = true;
+    setup.speed = 0.0f;
+    return setup;
+}
+
+void run(const options::Setup& setup, int frameCount, const Look& look)
+{
+    options::Runner& runner = runnerOf(setup.denoiser);
+    runner.start(setup);
+    size_t broken = 0;
+    for (int frame = 0; frame < frameCount; frame++)
+    {
+        const options::Result result = runner.denoise(frame);
+        broken += options::countBroken(result);
+        look(frame, result);
+    }
+    INFO(nrd::toString(setup.denoiser));
+    CHECK(broken == 0);
+}
+
+options::Result runToLast(const options::Setup& setup, int frameCount)
+{
+    options::Result last;
+    run(setup, frameCount, [&](int, const options::Result& result) { last = result; });
+    return last;
+}
+} // namespace stability
