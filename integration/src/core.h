@@ -41,6 +41,7 @@ public:
     MemoryStatistics memoryStatistics() const;
     IntegrationStatistics statistics() const;
     const Instance& instance() const { return *m_instance; }
+    Pools& pools() { return *m_pools; }
 
 private:
     struct DenoiserState

@@ -123,6 +123,8 @@ Result IntegrationAccess::Create(NrdIntegration& integration, rhi::Device& devic
     return integration.m_impl ? integration.m_impl->create(&device, desc, instanceDesc) : Result::FAILURE;
 }
 
+Pools& IntegrationAccess::GetPools(NrdIntegration& integration) { return integration.m_impl->core->pools(); }
+
 void NrdIntegration::Destroy() { m_impl.reset(); }
 bool NrdIntegration::IsCreated() const { return m_impl && m_impl->core; }
 

@@ -1,14 +1,20 @@
-// Creation over a given RHI device, for tests: a recording device needs no GPU and takes any number for a handle.
+// For tests: creation over a given RHI device (a recording one needs no GPU and takes any number for a handle), and the
+// pools, to look at histories.
 #pragma once
 #include <nrd/integration.h>
 #include <rhi/device.h>
 
 namespace nrd
 {
+class Pools;
+
 struct IntegrationAccess
 {
     /// As NrdIntegration::Create(), but over `device`, which must outlive the integration; desc.native is not read.
     static Result Create(NrdIntegration& integration, rhi::Device& device, const IntegrationCreationDesc& desc,
                          const InstanceCreationDesc& instanceDesc);
+
+    /// Of a created integration; they live until the next Resize().
+    static Pools& GetPools(NrdIntegration& integration);
 };
 } // namespace nrd

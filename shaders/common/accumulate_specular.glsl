@@ -156,7 +156,7 @@ SpecularLengths measureLengths(Surface s, SurfaceTrack surface, VirtualTrack ima
     {
         vec2 given = vec2(textureLod(sampler2D(gIn_SpecularConfidence, gLinearClamp), surface.uv, 0.0).x,
                           textureLod(sampler2D(gIn_SpecularConfidence, gLinearClamp), image.uv, 0.0).x);
-        confidence = min(confidence, given);
+        confidence = vec2(limitConfidence(confidence.x, given.x), limitConfidence(confidence.y, given.y));
     }
     vec2 n = vec2(applyConfidence(surface.n[kSpecularChannel], confidence.x), applyConfidence(image.n, confidence.y));
     vec2 responsive = vec2(responsiveLength(roughness, surface.NoN),

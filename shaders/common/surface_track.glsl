@@ -113,6 +113,9 @@ float surfaceQuality(Surface s, SurfaceTrack track)
     return sqrt(saturate(dot(track.weights, vec4(1.0)))) * mix(0.1, 1.0, size);
 }
 
+// By the application's, which may be anything: a length below 0 would turn the signs of weights.
+float limitConfidence(float confidence, float given) { return clamp(given, 0.0, confidence); }
+
 // A confidence of 1 leaves the length alone, 0 is practically a reset; short histories are cut less.
 float applyConfidence(float n, float confidence) { return n * mix(confidence, 1.0, 1.0 / (1.0 + n)); }
 

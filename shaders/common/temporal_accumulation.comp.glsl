@@ -87,7 +87,8 @@ LobeResult accumulateDiffuse(Surface s, SurfaceTrack surface)
     LobeResult result;
     float confidence = surface.quality;
     if (kHasConfidence)
-        confidence = min(confidence, textureLod(sampler2D(gIn_DiffuseConfidence, gLinearClamp), surface.uv, 0.0).x);
+        confidence =
+            limitConfidence(confidence, textureLod(sampler2D(gIn_DiffuseConfidence, gLinearClamp), surface.uv, 0.0).x);
     result.n = applyConfidence(surface.n.x, confidence);
     HistoryRead read = surfaceRead(surface);
     History stored = readHistory(gIn_DiffuseHistory, gIn_DiffuseHistorySh, 0, read);

@@ -36,7 +36,7 @@ void main()
     if (!isInRect(position)) return;
     // Copied before any exit: a stale depth in sky would let the next frame accept garbage.
     float storedViewZ = texelFetch(gIn_ViewZ, guideTexel(position), 0).x;
-    imageStore(gOut_PrevViewZ, position, vec4(storedViewZ));
+    imageStore(gOut_PrevViewZ, position, vec4(storedForNext(storedViewZ)));
     if (texelFetch(gIn_Tiles, position / TILE_SIZE, 0).x > 0.5) return;
     float viewZ = decodeViewZ(storedViewZ);
     if (!isInRange(viewZ)) return;

@@ -312,7 +312,7 @@ void main()
     bool isInside = isInRect(position);
     float storedViewZ = texelFetch(gIn_ViewZ, guideTexel(clampToRect(position)), 0).x;
     // Copied before any exit: a stale depth in sky would let the next frame accept garbage.
-    if (isInside) imageStore(gOut_PrevViewZ, position, vec4(storedViewZ));
+    if (isInside) imageStore(gOut_PrevViewZ, position, vec4(storedForNext(storedViewZ)));
     if (texelFetch(gIn_Tiles, group / TILE_SIZE, 0).x > 0.5) return; // the same for the whole group
     loadLumas(group);
     Moments m = measureLumas();

@@ -183,7 +183,10 @@ rhi::Format formatOf(const nrd::ResourceRequirement& need, const Setup& setup)
     // One channel of 8 bits serves REFERENCE, but not the radiance it is given here.
     const bool isAnySignal = need.type == Slot::IN_SIGNAL || need.type == Slot::OUT_SIGNAL;
     const rhi::Format least = isAnySignal ? rhi::Format::RGBA16_SFLOAT : toRhi(need.minFormat);
-    return setup.hasLargeFormats && need.type != Slot::IN_NORMAL_ROUGHNESS ? larger(least) : least;
+    // Floats may hold what the other encodings pack into bits, but an application that has floats takes this one.
+    const bool isPacked =
+        need.type == Slot::IN_NORMAL_ROUGHNESS && setup.normalEncoding != nrd::NormalEncoding::RGBA16_SNORM;
+    return setup.hasLargeFormats && !isPacked ? larger(least) : least;
 }
 
 Frame makeFrame(const Setup& setup, const std::vector<nrd::ResourceRequirement>& needs, int frameIndex)
@@ -211,6 +214,7 @@ Frame makeFrame(const Setup& setup, const std::vector<nrd::ResourceRequirement>&
         else if (!isOutput(need.type))
             addSignal(setup, frame, need.type, frameIndex);
     }
+    if (setup.changeInputs) setup.changeInputs(frame, frameIndex);
     return frame;
 }
 } // namespace options

@@ -1,7 +1,8 @@
 #include "runner.h"
 #include "catch.h"
+#include "readable_pool.h"
 #include "validated_device.h"
-#include <nrd/integration.h>
+#include <integration_access.h>
 #include <rhi/vulkan.h>
 
 namespace options
@@ -21,14 +22,7 @@ void require(nrd::Result result, const nrd::NrdIntegration& integration)
 
 nrd::IntegrationCreationDesc makeCreationDesc()
 {
-    const rhi::VulkanHandles handles = rhi::vulkanHandles(test::validatedDevice());
     nrd::IntegrationCreationDesc desc;
-    desc.native.instance = handles.instance;
-    desc.native.physicalDevice = handles.physicalDevice;
-    desc.native.device = handles.device;
-    desc.native.queueFamilyIndex = handles.queueFamilyIndex;
-    desc.native.getInstanceProcAddr = handles.getInstanceProcAddr;
-    desc.native.getDeviceProcAddr = handles.getDeviceProcAddr;
     desc.resourceWidth = desc.resourceHeight = 1;
     desc.framesInFlight = 1;
     return desc;
@@ -55,6 +49,7 @@ struct Runner::Impl
     nrd::Identifier identifier() const { return setup.resolutionDivisor + (setup.hasHistory ? 0 : kWithoutHistory); }
     nrd::Result setSettings();
 
+    ReadableDevice device;
     nrd::NrdIntegration integration;
     glm::ivec2 size{1};
     Setup setup;
@@ -163,7 +158,8 @@ Runner::Runner(nrd::Denoiser denoiser, nrd::NormalEncoding normals, nrd::Roughne
     desc.denoisersNum = familyOf(denoiser) == Family::Sigma ? 4 : 2;
     desc.normalEncoding = normals;
     desc.roughnessEncoding = roughness;
-    require(m_impl->integration.Create(makeCreationDesc(), desc), m_impl->integration);
+    require(nrd::IntegrationAccess::Create(m_impl->integration, m_impl->device, makeCreationDesc(), desc),
+            m_impl->integration);
 }
 
 Runner::~Runner() { test::failOnMessages(); }
@@ -210,6 +206,14 @@ std::vector<Result> Runner::denoiseLights(int frameIndex, std::span<const Setup>
     m_impl->light = 0;
     test::failOnMessages();
     return results;
+}
+
+std::vector<Runner::History> Runner::histories()
+{
+    std::vector<History> histories;
+    for (auto& [name, texels] : readPool(nrd::IntegrationAccess::GetPools(m_impl->integration)))
+        histories.push_back({name, std::move(texels)});
+    return histories;
 }
 
 uint32_t Runner::pipelineCount() const { return m_impl->integration.GetStatistics().pipelines; }

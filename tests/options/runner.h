@@ -4,6 +4,7 @@
 #include "inputs.h"
 #include <memory>
 #include <span>
+#include <string>
 
 namespace options
 {
@@ -32,6 +33,14 @@ public:
     // One frame in which the denoiser runs once for each of the setups, on other images each time: what differs between
     // them are SIGMA's lights. The common settings are the first one's.
     std::vector<Result> denoiseLights(int frameIndex, std::span<const Setup> lights);
+
+    // What the last frame left for the next one: textures of the permanent pool that could hold what is no number.
+    struct History
+    {
+        std::string name;
+        Plane texels;
+    };
+    std::vector<History> histories();
 
     uint32_t pipelineCount() const;
 

@@ -40,6 +40,8 @@ struct LightRay
     glm::vec4 translucency{1.0f};
 };
 
+struct Frame;
+
 struct Setup
 {
     nrd::Denoiser denoiser = nrd::Denoiser::REBLUR_DIFFUSE_SPECULAR;
@@ -94,7 +96,8 @@ struct Setup
     std::function<glm::vec4(glm::ivec2 pixel, int frame)> sampleAt;
     // SIGMA: in place of a shadow's edge down the middle, from positions in metres; no means then.
     std::function<LightRay(glm::vec3 position, glm::ivec2 pixel, int frame)> rayAt;
-    bool isInPlace = false; // REFERENCE: one image is input and output
+    std::function<void(Frame&, int frame)> changeInputs; // last of all
+    bool isInPlace = false;                              // REFERENCE: one image is input and output
 
     // What REBLUR and RELAX have, in whichever of them is used.
     template <class Change> void changeSettings(Change&& change)

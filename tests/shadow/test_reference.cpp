@@ -139,6 +139,7 @@ TEST_CASE("a constant comes back bit for bit after a hundred frames", "[gpu]")
     for (size_t i = 0; i < out.size(); i++) CHECK(out[i] == values[(i % 7) & 1]);
 }
 
+// The lost frame's place in the mean is the mean's own.
 TEST_CASE("a restart after a frame of no numbers leaves nothing of them", "[gpu]")
 {
     options::Setup setup = makeSetup({17, 9});
@@ -152,9 +153,10 @@ TEST_CASE("a restart after a frame of no numbers leaves nothing of them", "[gpu]
     {
         const Result result = runner.denoise(frame);
         INFO("frame " << frame);
-        CHECK((options::countBroken(result) == 0) == (frame < 2 || frame >= 4));
-        if (frame >= 4) mean.add(result);
-        if (frame >= 4) CHECK(mean.worstShare(result) < 1e-5);
+        CHECK(options::countBroken(result) == 0);
+        if (frame == 4) mean = Mean();
+        if (frame != 2) mean.add(result);
+        if (frame != 3) CHECK(mean.worstShare(result) < 1e-5);
     }
 }
 
