@@ -1,5 +1,6 @@
 #include "runners.h"
 #include "catch.h"
+#include "figures.h"
 #include "validated_device.h"
 #include <cmath>
 #include <map>
@@ -32,6 +33,11 @@ std::vector<nrd::Denoiser> denoisersThat(const Filter& filter)
     for (const nrd::Denoiser denoiser : options::allDenoisers())
         if (filter(denoiser)) denoisers.push_back(denoiser);
     return denoisers;
+}
+
+std::vector<nrd::Denoiser> someThat(const Filter& filter)
+{
+    return denoisersThat([&](nrd::Denoiser denoiser) { return filter(denoiser) && (isLong() || isWidest(denoiser)); });
 }
 
 options::Runner& runnerOf(nrd::Denoiser denoiser)

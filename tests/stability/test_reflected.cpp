@@ -84,7 +84,7 @@ TEST_CASE("an object that moves in a reflection leaves no ghost", "[gpu]")
         Figure figure(std::string("object moving in a reflection, ") + (isMotionGiven ? "with" : "without") +
                           " IN_SPEC_MV: ghost after 8 frames",
                       "% of its light", kMostLeft);
-        for (const nrd::Denoiser denoiser : denoisersThat(hasSpecular))
+        for (const nrd::Denoiser denoiser : someThat(hasSpecular))
             figure.add(denoiser, ghostOf(denoiser, isMotionGiven));
     }
 }

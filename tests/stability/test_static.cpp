@@ -111,7 +111,7 @@ TEST_CASE("two eyes see the same but for the noise", "[gpu]")
 {
     // What the same eye sees with other noise is the measure; one in ten is what such a difference is known to.
     Figure figure("stereo pair: difference of the two views", "times that of their noise", 1.1);
-    for (const nrd::Denoiser denoiser : denoisersThat(isAny))
+    for (const nrd::Denoiser denoiser : someThat(isAny))
     {
         const options::Result left = see(denoiser, {-kHalfEyeDistance, 1});
         const options::Result again = see(denoiser, {-kHalfEyeDistance, 2});
