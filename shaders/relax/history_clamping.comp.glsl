@@ -261,7 +261,10 @@ float excessAmount(float difference, float sigma, float noisySigma)
 float changeAmount(int lobe, float sampleSigma, Moments m)
 {
     float noisySigma = max(m.sigma[2 * lobe + 1], sampleSigma);
-    return max(excessAmount(m.mean[2 * lobe] - m.slow[lobe], m.changeSigma[lobe], m.sigma[2 * lobe + 1]),
+    // In the dark nothing is noisy. If that alone made it easier to go dark than to light up, what blinks would lose up
+    // to half of its energy; a quarter of what samples vary by keeps it, and costs a frame when a light goes off.
+    float presentSigma = max(m.sigma[2 * lobe + 1], 0.25 * sampleSigma);
+    return max(excessAmount(m.mean[2 * lobe] - m.slow[lobe], m.changeSigma[lobe], presentSigma),
                excessAmount(m.mean[2 * lobe + 1] - m.slow[lobe], noisySigma, noisySigma));
 }
 

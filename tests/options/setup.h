@@ -89,7 +89,7 @@ struct Setup
     std::function<quality::Guides(const quality::Camera&, glm::ivec2 size, int frame)> scene;
     // In place of `mean`, from positions in metres.
     std::function<float(glm::vec3 position, glm::ivec2 pixel, int frame)> meanAt;
-    std::function<float(glm::vec3 position, glm::ivec2 pixel, int frame)> hitDistAt;              // metres
+    std::function<float(glm::vec3 position, glm::ivec2 pixel, int frame)> hitDistAt; // metres; half a penumbra's width
     std::function<glm::vec3(glm::vec3 position, glm::ivec2 pixel, int frame)> motionAt;           // metres, world space
     std::function<glm::vec3(glm::vec3 position, glm::ivec2 pixel, int frame)> reflectionMotionAt; // in IN_SPEC_MV
     // RELAX: RGB and hit distance in place of the noisy samples. REFERENCE: the signal.

@@ -21,26 +21,33 @@ float visibleFraction(const Setup& setup, const Frame& frame, glm::ivec2 pixel, 
 
 glm::vec4 meanTranslucency(float visible) { return {visible, glm::vec3(visible) + 0.5f * (1.0f - visible) * kGlass}; }
 
-// visible: share of the light. Opposite rays meet what the others pass.
-LightRay castRay(const Setup& setup, float visible, bool isOpposite, std::mt19937& rng)
+// Half of its width, units.
+float penumbraOf(const Setup& setup, const Frame& frame, glm::ivec2 pixel, int frameIndex)
 {
+    if (!setup.hitDistAt) return kHalfWidth * setup.unitsPerMeter;
+    return setup.hitDistAt(worldPosition(frame, pixel.x, pixel.y), pixel, frameIndex) * setup.unitsPerMeter;
+}
+
+// Opposite rays meet what the others pass.
+LightRay castRay(const Setup& setup, const Frame& frame, glm::ivec2 pixel, int frameIndex, std::mt19937& rng)
+{
+    const bool isOpposite = noiseOf(setup, frameIndex).isOpposite;
+    const float visible = visibleFraction(setup, frame, pixel, frameIndex);
     const float random = static_cast<float>(rng() >> 8) * (1.0f / 16777216.0f);
     const bool isThroughGlass = ((rng() >> 31) != 0) != isOpposite;
     if ((isOpposite ? 1.0f - random : random) < visible) return {};
-    return {kHalfWidth * setup.unitsPerMeter, {0.0f, isThroughGlass ? kGlass : glm::vec3(0.0f)}};
+    return {penumbraOf(setup, frame, pixel, frameIndex), {0.0f, isThroughGlass ? kGlass : glm::vec3(0.0f)}};
 }
 
 // The same rays whichever slot is asked for.
 std::vector<LightRay> castRays(const Setup& setup, const Frame& frame, int frameIndex)
 {
-    const Noise noise = noiseOf(setup, frameIndex);
-    std::mt19937 rng(noise.seed);
+    std::mt19937 rng(noiseOf(setup, frameIndex).seed);
     std::vector<LightRay> rays;
     for (int y = 0; y < frame.rect.y; y++)
         for (int x = 0; x < frame.rect.x; x++)
-            rays.push_back(
-                setup.rayAt ? setup.rayAt(worldPosition(frame, x, y), {x, y}, frameIndex)
-                            : castRay(setup, visibleFraction(setup, frame, {x, y}, frameIndex), noise.isOpposite, rng));
+            rays.push_back(setup.rayAt ? setup.rayAt(worldPosition(frame, x, y), {x, y}, frameIndex)
+                                       : castRay(setup, frame, {x, y}, frameIndex, rng));
     return rays;
 }
 

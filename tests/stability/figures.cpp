@@ -1,12 +1,17 @@
 #include "figures.h"
 #include "catch.h"
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <utility>
 
 namespace stability
 {
-bool isLong() { return std::getenv("NRD_TEST_LONG") != nullptr; }
+bool isLong()
+{
+    const char* value = std::getenv("NRD_TEST_LONG");
+    return value && *value;
+}
 
 Figure::Figure(std::string what, std::string unit, double bound)
     : m_what(std::move(what)), m_unit(std::move(unit)), m_bound(bound)
@@ -16,8 +21,10 @@ Figure::Figure(std::string what, std::string unit, double bound)
 Figure::~Figure()
 {
     if (m_denoiser == nrd::Denoiser::MAX_NUM) return;
-    std::printf("FIGURE %s: %.4g %s at worst, of %s (bound %.4g)\n", m_what.c_str(), m_worst, m_unit.c_str(),
-                nrd::toString(m_denoiser), m_bound);
+    char bound[32] = "no bound";
+    if (std::isfinite(m_bound)) std::snprintf(bound, sizeof(bound), "bound %.4g", m_bound);
+    std::printf("FIGURE %s: %.4g %s at worst, of %s (%s)\n", m_what.c_str(), m_worst, m_unit.c_str(),
+                nrd::toString(m_denoiser), bound);
 }
 
 void Figure::add(nrd::Denoiser denoiser, double value)

@@ -10,7 +10,7 @@ bool isLong(); // NRD_TEST_LONG in the environment
 class Figure
 {
 public:
-    // bound: no value may be larger. unit: behind the numbers, "%" for instance.
+    // bound: no value may be larger; infinite: printed only. unit: behind the numbers, "%" for instance.
     Figure(std::string what, std::string unit, double bound);
     ~Figure(); // prints
 

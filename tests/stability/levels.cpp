@@ -48,7 +48,8 @@ std::vector<Level> levelsOf(const options::Result& result, nrd::Denoiser denoise
                 if (!frame.isInRange(x, y)) continue;
                 const size_t pixel = frame.pixel(x, y);
                 const auto level = [&, output = slot](glm::vec4 v) { return double(levelOf(output, v, isRelax)); };
-                levels.push_back({{x, y},
+                levels.push_back({slot,
+                                  {x, y},
                                   options::worldPosition(frame, x, y),
                                   level(plane[frame.texel(x, y)]),
                                   level(frame.noisy.at(slot)[pixel]),

@@ -8,6 +8,7 @@ namespace stability
 {
 struct Level
 {
+    nrd::ResourceType output;
     glm::ivec2 pixel;
     glm::vec3 position; // metres
     double denoised, noisy, truth;

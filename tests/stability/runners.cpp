@@ -1,6 +1,8 @@
 #include "runners.h"
 #include "catch.h"
+#include "figures.h"
 #include "validated_device.h"
+#include <cmath>
 #include <map>
 #include <memory>
 #include <string_view>
@@ -33,6 +35,11 @@ std::vector<nrd::Denoiser> denoisersThat(const Filter& filter)
     return denoisers;
 }
 
+std::vector<nrd::Denoiser> someThat(const Filter& filter)
+{
+    return denoisersThat([&](nrd::Denoiser denoiser) { return filter(denoiser) && (isLong() || isWidest(denoiser)); });
+}
+
 options::Runner& runnerOf(nrd::Denoiser denoiser)
 {
     (void)test::validatedDevice(); // made first, so that it outlives the runners
@@ -50,10 +57,25 @@ options::Setup makeSetup(nrd::Denoiser denoiser)
     return setup;
 }
 
+namespace
+{
+// A shadow's edge takes half of the picture's width; so wide is the penumbra at any distance and field of view.
+options::Setup withPenumbra(options::Setup setup)
+{
+    const bool isShadow = options::familyOf(setup.denoiser) == options::Family::Sigma;
+    if (!isShadow || setup.hitDistAt) return setup;
+    const float aspect = float(setup.rect.x) / float(setup.rect.y);
+    const float quarter = 0.5f * aspect * std::tan(0.5f * setup.fovY); // of the width at a distance of 1
+    setup.hitDistAt = [quarter, given = setup](glm::vec3 position, glm::ivec2, int frame)
+    { return quarter * (options::makeView(given, frame).camera.worldToView * glm::vec4(position, 1.0f)).z; };
+    return setup;
+}
+} // namespace
+
 void run(const options::Setup& setup, int frameCount, const Look& look)
 {
     options::Runner& runner = runnerOf(setup.denoiser);
-    runner.start(setup);
+    runner.start(withPenumbra(setup));
     size_t broken = 0;
     for (int frame = 0; frame < frameCount; frame++)
     {

@@ -16,6 +16,7 @@ bool hasSpecular(nrd::Denoiser denoiser);
 bool isWidest(nrd::Denoiser denoiser);
 
 std::vector<nrd::Denoiser> denoisersThat(const Filter& filter);
+std::vector<nrd::Denoiser> someThat(const Filter& filter); // in the short form only the widest
 
 options::Runner& runnerOf(nrd::Denoiser denoiser);
 
