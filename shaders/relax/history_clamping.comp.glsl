@@ -247,25 +247,34 @@ float pullOf(float slow, float clamped, float fast)
     return abs(way) > kEps ? saturate((clamped - slow) / way) : 0.0;
 }
 
+// Of the 25 pixels those in range: a pixel alone in the sky is its own neighbourhood, whose noise is no change. Counted
+// again, which costs less than a register for the whole shader.
+float windowShare()
+{
+    float count = 0.0;
+    for (int y = 0; y < 5; y++) count += sCount[gl_LocalInvocationID.y + y][gl_LocalInvocationID.x];
+    return count / 25.0;
+}
+
 // How far a difference of means is more than noise, by its standard error; neighbours that share samples count as 16 of
 // the 25 pixels.
-float excessAmount(float difference, float sigma, float noisySigma)
+float excessAmount(float difference, float sigma, float noisySigma, float share)
 {
-    float noise = 0.25 * (g.relaxAntilag.y * sigma + g.relaxAntilag.z * noisySigma) + kEps;
+    float noise = inversesqrt(max(16.0 * share, 1.0)) * (g.relaxAntilag.y * sigma + g.relaxAntilag.z * noisySigma) + kEps;
     return saturate(2.0 * g.relaxAntilag.w * max(abs(difference) / noise - 1.0, 0.0));
 }
 
 // By how much light has changed, as means of 5x5 pixels show it, in which detail cancels out. A great change shows in
 // the noisy present at once, a smaller one in the fast history later. Samples vary as much as they did over time,
 // sampleSigma: where rare ones carry the light, a window without any is dark and calm, and no change.
-float changeAmount(int lobe, float sampleSigma, Moments m)
+float changeAmount(int lobe, float sampleSigma, Moments m, float share)
 {
     float noisySigma = max(m.sigma[2 * lobe + 1], sampleSigma);
     // In the dark nothing is noisy. If that alone made it easier to go dark than to light up, what blinks would lose up
     // to half of its energy; a quarter of what samples vary by keeps it, and costs a frame when a light goes off.
-    float presentSigma = max(m.sigma[2 * lobe + 1], 0.25 * sampleSigma);
-    return max(excessAmount(m.mean[2 * lobe] - m.slow[lobe], m.changeSigma[lobe], presentSigma),
-               excessAmount(m.mean[2 * lobe + 1] - m.slow[lobe], noisySigma, noisySigma));
+    float presentSigma = max(m.sigma[2 * lobe + 1], mix(1.0, 0.25, share) * sampleSigma);
+    return max(excessAmount(m.mean[2 * lobe] - m.slow[lobe], m.changeSigma[lobe], presentSigma, share),
+               excessAmount(m.mean[2 * lobe + 1] - m.slow[lobe], noisySigma, noisySigma, share));
 }
 
 // A history under the light that its neighbourhood has now: dimmed or raised as a whole, so that detail stays and noise
@@ -276,7 +285,7 @@ float relight(float slow, int lobe, Moments m)
     return now < before ? slow * now / before : slow + now - before;
 }
 
-Lumas bound(int lobe, bool isSpecular, float slow, float amount, Moments m)
+Lumas bound(int lobe, bool isSpecular, float slow, float amount, Moments m, float share)
 {
     ivec2 local = ivec2(gl_LocalInvocationID.xy) + kRadius;
     float fast = valueAt(lobe, local).x;
@@ -288,7 +297,7 @@ Lumas bound(int lobe, bool isSpecular, float slow, float amount, Moments m)
     float pull = pullOf(slow, clamped, fast);
 
     float present = m.mean[2 * lobe + 1];
-    float push = 10.0 * g.relaxAntilag.x * abs(fast - slow) * pull * (isSpecular ? 0.33 : 1.0);
+    float push = 10.0 * g.relaxAntilag.x * abs(fast - slow) * pull * (isSpecular ? 0.33 : 1.0) * share;
     float lit = relight(slow, lobe, m);
     return Lumas(mix(moveTowards(clamped, present, push), lit, amount),
                  mix(moveTowards(fast, present, push), lit, amount));
@@ -299,8 +308,9 @@ float boundSignal(inout Signal signal, int lobe, bool isSpecular, inout float n,
 {
     float slow = luma(signal);
     if (n < g.historyFixFrameNum) return slow; // what was just filled in is the best there is
-    float amount = changeAmount(lobe, slow * sqrt(signal.value.w), m);
-    Lumas lumas = bound(lobe, isSpecular, slow, amount, m);
+    float share = windowShare();
+    float amount = changeAmount(lobe, slow * sqrt(signal.value.w), m, share);
+    Lumas lumas = bound(lobe, isSpecular, slow, amount, m, share);
     float variance = signal.value.w * square(max(slow, lumas.slow));
     signal = changeLuma(signal, lumas.slow);
     signal.value.w = min(variance / max(square(lumas.slow), 1e-12), NRD_FP16_MAX);
