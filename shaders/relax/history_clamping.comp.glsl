@@ -247,13 +247,13 @@ float pullOf(float slow, float clamped, float fast)
     return abs(way) > kEps ? saturate((clamped - slow) / way) : 0.0;
 }
 
-// Of the 25 pixels those in range: a pixel alone in the sky is its own neighbourhood, whose noise is no change. Counted
-// again, which costs less than a register for the whole shader.
+// Below 1 where less of the window is in range than at the picture's corner: a pixel alone in the sky is its own
+// neighbourhood, whose noise is no change. Counted again, which costs less than a register for the whole shader.
 float windowShare()
 {
     float count = 0.0;
     for (int y = 0; y < 5; y++) count += sCount[gl_LocalInvocationID.y + y][gl_LocalInvocationID.x];
-    return count / 25.0;
+    return min(count / 9.0, 1.0);
 }
 
 // How far a difference of means is more than noise, by its standard error; neighbours that share samples count as 16 of
