@@ -83,7 +83,7 @@ Centre completeCentre(texture2D t, texture2D second, Pixel p, Lobe lobe, bool is
     else
     {
         centre.signal = resolveCheckerboard(t, second, p, position, centre.isFound);
-        centre.isValid = kIsOcclusion && centre.signal.value.w > 0.0; // no blur follows that would find more
+        centre.isValid = kIsBounded && centre.signal.value.w > 0.0; // no blur follows that would find more
     }
     centre.hitDist = centre.signal.value.w;
     if (centre.hitDist == 0.0 && g.reconstructionRadius > 0)

@@ -115,10 +115,7 @@ Filtered prefilter(texture2D t, texture2D second, Pixel p, Lobe lobe, bool isSpe
     if (kIsOcclusion) own.value.x = centre.hitDist;
     if (lobe.maxRadius == 0.0 && centre.isValid) return Filtered(own, hitDist);
 
-    // Where the hit distance is the signal, a radius that follows its noise spreads the large values and keeps the small
-    // ones: occlusion darkened by 3 %.
-    float factor = kIsDirectional ? 1.0 : hitDistFactor(hitDist, p.frustumSize);
-    float radius = blurRadius(lobe, 1.0, factor, 1.0);
+    float radius = blurRadius(lobe, 1.0, hitDistFactor(hitDist, p.frustumSize), 1.0);
     if (isSpecular) radius = limitSpecularRadius(p, lobe, hitDist, radius);
     float minHitDist = g.minHitDistanceWeight * kFractionScale * NRD_GetLobeSpread(lobe.roughness, 0.5);
     Weights w = makeWeights(p, lobe, isSpecular, kNarrowing, kFractionScale, minHitDist);
@@ -197,14 +194,16 @@ void main()
     if (!isUsed) return;
     Pixel p = makePixel(position, viewZ, decodeGuide(texelFetch(gIn_NormalRoughness, guideTexel(position), 0)));
 #if HAS_DIFFUSE
-    Lobe diffuse = Lobe(1.0, g.minMaterialForDiffuse, kIsOcclusion ? 0.0 : g.diffusePrepassRadius);
+    // Where the hit distance is the signal, a radius that follows its noise spreads the large values and keeps the small
+    // ones: occlusion comes out 3 % too dark.
+    Lobe diffuse = Lobe(1.0, g.minMaterialForDiffuse, kIsBounded ? 0.0 : g.diffusePrepassRadius);
     Centre diffuseCentre = completeCentre(gIn_Diffuse, gIn_DiffuseSh, p, diffuse, false, position);
     Filtered filteredDiffuse = prefilter(gIn_Diffuse, gIn_DiffuseSh, p, diffuse, false, diffuseCentre, cap.x);
     storeSignal(gOut_Diffuse, gOut_DiffuseSh, position, filteredDiffuse.signal);
 #endif
 #if HAS_SPECULAR
     const int c = kSpecularChannel;
-    Lobe specular = Lobe(p.guide.roughness, g.minMaterialForSpecular, kIsOcclusion ? 0.0 : g.specularPrepassRadius);
+    Lobe specular = Lobe(p.guide.roughness, g.minMaterialForSpecular, kIsBounded ? 0.0 : g.specularPrepassRadius);
     Centre specularCentre = completeCentre(gIn_Specular, gIn_SpecularSh, p, specular, true, position);
     Filtered filteredSpecular = prefilter(gIn_Specular, gIn_SpecularSh, p, specular, true, specularCentre, cap[c]);
     storeSignal(gOut_Specular, gOut_SpecularSh, position, filteredSpecular.signal);

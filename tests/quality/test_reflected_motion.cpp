@@ -86,8 +86,9 @@ Scene render(const Run& run, int index)
             reflect(X, glm::normalize(mirrored + glm::vec3(lobe(rng), lobe(rng), lobe(rng))), centre, run.panelSpeed);
         const float radiance = rng() & 1u ? 2.0f * seen.radiance : 0.0f;
         const bool isWorld = isRelax(run.denoiser);
-        scene.frame.specular.push_back(isWorld ? glm::vec4(glm::vec3(radiance), seen.distance)
-                                               : glm::vec4(radiance, 0.0f, 0.0f, normalizeHitDist(seen.distance, viewZ, kRoughness)));
+        scene.frame.specular.push_back(
+            isWorld ? glm::vec4(glm::vec3(radiance), seen.distance)
+                    : glm::vec4(radiance, 0.0f, 0.0f, normalizeHitDist(seen.distance, viewZ, kRoughness)));
         scene.frame.specularMotion.emplace_back(seen.motion, 1.0f);
     }
     return scene;

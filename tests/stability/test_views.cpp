@@ -70,7 +70,6 @@ const View kViews[] = {
     {"field of view 120 degrees", widen<120>},
     {"field of view 170 degrees", widen<170>},
     {"frames of 1 ms", pace<1>},
-    {"frames of 16 ms", pace<16>},
     {"frames of 500 ms", pace<500>},
     {"frames of 1 and 500 ms", pace<1, 500>},
 };

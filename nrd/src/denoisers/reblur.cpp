@@ -62,7 +62,7 @@ ReblurSettings settingsOf(const Conditions& c) { return effective(std::get<Reblu
 bool hasPrePass(const Conditions& c)
 {
     const ReblurSettings s = settingsOf(c);
-    return isIncomplete(s) || (isBlurred(c, s) && !has(c.variant, kOcclusion));
+    return isIncomplete(s) || (isBlurred(c, s) && has(c.variant, kColor));
 }
 bool runsPrePass(const Conditions& c) { return isDenoised(c) && hasPrePass(c); }
 
