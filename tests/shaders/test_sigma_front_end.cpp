@@ -163,7 +163,7 @@ TEST_CASE("lights that don't reach the surface change nothing of what the others
     const Light turnedAway = {{0, 0, 0}, 0.0f, {0, 0, 0}}, black = {{0, 0, 0}, 7.0f, {0, 0, 0}};
     const Light broken = {{kNan, 1, 1}, 7.0f, {0, 0, 0}}, infinite = {{kInfinity, 1, 1}, kLit, {1, 1, 1}};
     const Results alone = runFunction(FN_MULTI_LIGHT, argumentsOf({hit, lit, turnedAway}));
-    CHECK(alone.first[0] == 0.5f);
+    CHECK(alone.first[0] == Approx(0.5f)); // a device may round the division of the weighted sum
     for (const Light& other : {black, broken, infinite})
     {
         const Results r = runFunction(FN_MULTI_LIGHT, argumentsOf({hit, lit, other}));
@@ -181,6 +181,6 @@ TEST_CASE("several lights are lit only where each of them is", "[gpu]")
     CHECK(lit.first[0] == kLit);
     for (const float x : lit.second) CHECK(x == Approx(1.0f)); // green, which nobody gives, must not count as shadow
     const Results shadow = runFunction(FN_MULTI_LIGHT, argumentsOf({shadowed, dark, dark}));
-    CHECK(shadow.first[0] == 0.25f);
+    CHECK(shadow.first[0] == Approx(0.25f));
     CHECK(shadow.second == Vec4{0.0f, 0.0f, 0.0f, 0.0f});
 }

@@ -96,7 +96,7 @@ struct ReblurSettings
     ResponsiveAccumulationSettings responsiveAccumulationSettings = {};
     ConvergenceSettings convergenceSettings = {};
 
-    uint32_t maxAccumulatedFrameNum = 30;         // [0; 63] frames, about half a second
+    uint32_t maxAccumulatedFrameNum = 40;         // [0; 63] frames, about two thirds of a second
     uint32_t maxFastAccumulatedFrameNum = 6;      // [0; 63] frames, >= maxAccumulatedFrameNum = no fast-history clamp
     uint32_t maxStabilizedFrameNum = 63;          // [0; 255] frames, 0 = no temporal stabilisation and no antilag
     uint32_t historyFixFrameNum = 3;              // [0; 8] frames, below maxFastAccumulatedFrameNum
