@@ -111,8 +111,9 @@ struct Slot
     Having having;
 };
 
-// The four words of the pass tables, besides plain keys and resource types.
+// The five words of the pass tables, besides plain keys and resource types.
 template <class Key> constexpr Place prev(Key key) { return {Source::Table, static_cast<uint8_t>(key), true, false}; }
+template <class Key> constexpr Place prevEach(Key key) { return {Source::Table, static_cast<uint8_t>(key), true, true}; }
 template <class Key> constexpr Place each(Key key) { return {Source::Table, static_cast<uint8_t>(key), false, true}; }
 constexpr Place kEachInput = {Source::SignalInput, 0, false, true};
 constexpr Place kEachOutput = {Source::SignalOutput, 0, false, true};
@@ -231,7 +232,7 @@ struct PassRow
 {
     const char* name;
     ShaderSet shaders;
-    FixedList<Slot, 20> reads;  // binding order
+    FixedList<Slot, 22> reads;  // binding order
     FixedList<Slot, 12> writes; // bindings go on
     GroupSize group;
     Predicate runsIf;

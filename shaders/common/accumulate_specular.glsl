@@ -4,6 +4,8 @@
 #include "reflected_motion.glsl"
 
 const float kCurvaturePlaneSensitivity = 0.04;
+// Rougher lobes are so wide that what they show moves with the surface; half of this pass is spared.
+const float kNoImageRoughness = 0.85;
 
 // Nearest reflected surface of the 3x3, world units, 0 = unknown.
 float trackingDistance(Surface s)
@@ -206,13 +208,16 @@ LobeResult accumulateSpecular(Surface s, SurfaceTrack surface)
     Reflection reflection = readReflection(s, isValid ? signal.value.w : 0.0, hitDist);
     storeTrack(s.pixel, hitDist, reflection);
     float motion = saturate(length((surface.uv - s.uv) * g.rectSize) / 0.25);
-    VirtualTrack image = trackVirtual(s, surface, hitDist, motionCurvature(s, surface), reflection);
+    bool isFollowed = s.guide.roughness < kNoImageRoughness || isMoving(reflection);
+    VirtualTrack image = surfaceImage(surface);
+    if (isFollowed) image = trackVirtual(s, surface, hitDist, motionCurvature(s, surface), reflection);
     image.stillness *= vacancyConfidence(s, reflection, surface.footprint);
     image.confidence *= vacancyConfidence(s, reflection, image.footprint);
     SpecularLengths lengths = measureLengths(s, surface, image, signal.value.w, motion);
 
     bool isAttached = kHasMaterialTest && s.guide.materialID == g.cameraAttachedMaterialID;
     float amount = virtualAmount(lengths.n.y, lengths.n.x) * (isAttached ? 1.0 : apparentMotion(image, motion));
+    if (!isFollowed) amount = 0.0;
     // A position between two different surfaces would smear.
     if (!surface.isCubic || !image.isCubic) amount = amount >= 0.5 ? 1.0 : 0.0;
     showVirtualAmount(s.pixel, amount);

@@ -12,7 +12,7 @@
 const float kSpreadScale = 48.0;
 const float kSpreadFrameNum = 32.0;
 const float kFewSamples = 8.0; // say nothing of what is normal
-const float kNoCap = 1e30;
+const float kNoCap = NRD_FP16_MAX; // as it is stored
 const float kNoLuma = -1.0;
 // The share with which whatever is brighter counts in the statistics, or they would never leave black.
 const float kCapGrowth = 1.0 / 256.0;
@@ -33,11 +33,9 @@ struct Spread
     vec2 deviation;
 };
 
-const int kPartNum = 64; // into which a tile is divided; a power of 4
-shared vec2 sLumas[TILE_SIZE * TILE_SIZE];
+const int kPartNum = 32; // invocations of a tile
 shared Samples sParts[kPartNum];
 shared vec2 sKnownCaps[9]; // of the tile and its neighbours, before this frame
-shared vec2 sCap;
 
 const Samples kNoSamples = Samples(vec2(0.0), vec2(0.0), vec2(0.0), vec2(kNoLuma), vec2(kNoLuma));
 
@@ -103,41 +101,21 @@ void storeSpread(ivec2 tile, Samples samples, vec2 cap)
     imageStore(gOut_Spread, tile, roundToHalf(vec4(mean, sqrt(variance))));
 }
 
-// Some invocations gather the samples, others meanwhile what was known before.
-void gatherParts(ivec2 tile, int self)
-{
-    if (self < kPartNum)
-    {
-        Samples part = kNoSamples;
-        for (int i = self; i < TILE_SIZE * TILE_SIZE; i += kPartNum) addSample(part, sLumas[i]);
-        sParts[self] = part;
-    }
-    int i = self - kPartNum;
-    if (i >= 0 && i < 9) sKnownCaps[i] = capOf(readSpread(tile + ivec2(i % 3, i / 3) - 1));
-}
-
-// lumas: this pixel's sample per lobe, kNoLuma if it has none. The cap is the same for the group, so one invocation
-// finds it: in each of them it took half as long as the whole blur. Has barriers.
-vec2 shareCap(ivec2 tile, vec2 lumas)
+// part: what this invocation saw of the tile. The cap is the first one's to know. Has barriers.
+vec2 shareCap(ivec2 tile, Samples part)
 {
     int self = int(gl_LocalInvocationIndex);
-    sLumas[self] = lumas;
+    sParts[self] = part;
+    if (self < 9) sKnownCaps[self] = capOf(readSpread(tile + ivec2(self % 3, self / 3) - 1));
     barrier();
-    gatherParts(tile, self);
+    if (self < 8)
+        for (int i = 8; i < kPartNum; i += 8) addSamples(sParts[self], sParts[self + i]);
     barrier();
-    for (int num = kPartNum / 4; num > 0; num /= 4)
-    {
-        if (self < num)
-            for (int i = 1; i < 4; i++) addSamples(sParts[self], sParts[self + i * num]);
-        barrier();
-    }
-    if (self == 0)
-    {
-        sCap = findCap(sParts[0]);
-        storeSpread(tile, sParts[0], sCap);
-    }
-    barrier();
-    return sCap;
+    if (self > 0) return vec2(0.0);
+    for (int i = 1; i < 8; i++) addSamples(sParts[0], sParts[i]);
+    vec2 cap = findCap(sParts[0]);
+    storeSpread(tile, sParts[0], cap);
+    return cap;
 }
 
 #endif

@@ -5,9 +5,9 @@
 #include "spatial_filter.glsl"
 #include "checkerboard.glsl"
 
-#define HAS_SPREAD (1 - IS_BOUNDED)
-#define FIRST_OUT (3 + SIGNAL_NUM + 2 * HAS_SPREAD)
-layout(local_size_x = 16, local_size_y = 16) in;
+#define HAS_CAP (1 - IS_BOUNDED)
+#define FIRST_OUT (3 + SIGNAL_NUM + HAS_CAP)
+layout(local_size_x = 8, local_size_y = 16) in;
 layout(set = SET_RESOURCES, binding = 0) uniform texture2D gIn_Tiles;
 layout(set = SET_RESOURCES, binding = 1) uniform texture2D gIn_ViewZ;
 layout(set = SET_RESOURCES, binding = 2) uniform texture2D gIn_NormalRoughness;
@@ -30,15 +30,14 @@ layout(set = SET_RESOURCES, binding = FIRST_OUT + 2 * LOBE_NUM - 1) uniform writ
 layout(set = SET_RESOURCES, binding = FIRST_OUT + SIGNAL_NUM) uniform writeonly image2D gOut_TrackNew;
 #endif
 #endif
-#if HAS_SPREAD
-layout(set = SET_RESOURCES, binding = 3 + SIGNAL_NUM) uniform texture2D gIn_Cut;
-layout(set = SET_RESOURCES, binding = 4 + SIGNAL_NUM) uniform texture2D gIn_PrevSpread;
-layout(set = SET_RESOURCES, binding = FIRST_OUT + SIGNAL_NUM + HAS_SPECULAR) uniform writeonly image2D gOut_Spread;
-#include "firefly_cap.glsl"
+#if HAS_CAP
+layout(set = SET_RESOURCES, binding = 3 + SIGNAL_NUM) uniform texture2D gIn_Cap;
 #endif
 
 #include "complete_input.glsl"
 
+// Four taps at this share of the radius, which a full disk of eight gains 0.1 dB over.
+const float kTapRadius = 0.8;
 const float kNarrowing = 1.0 / 11.0;
 const float kFractionScale = 2.0;
 // Hit distances are noise here. A strict weight starves samples with rare distances, which are the bright ones where
@@ -122,13 +121,13 @@ Filtered prefilter(texture2D t, texture2D second, Pixel p, Lobe lobe, bool isSpe
     w.hitDist = kHitDistScale;
     uint seed = seedPixel(centre.pixel, g.frameIndex);
     float nearest = hitDist > 0.0 ? hitDist : 1e30;
-    vec4 axes = g.rotatorPrePass * radius;
+    vec4 axes = g.rotatorPrePass * (radius * kTapRadius);
     TapSums sums = TapSums(kNoSignal, kNoSignal, 0.0, 0.0, 0.0);
-    for (int i = 0; i < 8; i++)
+    for (int i = 0; i < 4; i++)
     {
         bool isInside;
         vec2 position = snapToData(p.position + rotateTap(axes, kTaps[i].xy), isSpecular, i, isInside);
-        Tap tap = readTap(gIn_ViewZ, gIn_NormalRoughness, p, lobe, isSpecular, w, position, kTaps[i].z, true);
+        Tap tap = readTap(gIn_ViewZ, gIn_NormalRoughness, p, lobe, isSpecular, w, position, 1.0, true);
         bool isTapValid;
         Signal value = capLuma(readInput(t, second, inputTexel(tap.pixel), isTapValid), maxLuma);
         float share = isTapValid && isInside ? tap.weight : 0.0;
@@ -149,49 +148,17 @@ Filtered prefilter(texture2D t, texture2D second, Pixel p, Lobe lobe, bool isSpe
     return Filtered(resolveTaps(sums, own, centre), tracking);
 }
 
-#if HAS_SPREAD
-float sampleLuma(texture2D t, ivec2 pixel, bool isSpecular)
-{
-    if (!hasData(pixel, isSpecular)) return kNoLuma;
-    bool isValid;
-    vec4 value = sanitize(texelFetch(t, inputTexel(pixel), 0), isValid);
-    return isValid ? value.x : kNoLuma;
-}
-
-// Per lobe. Has barriers.
-vec2 fireflyCap(ivec2 pixel, bool isUsed)
-{
-    if (!kHasAntiFirefly) return vec2(kNoCap);
-    vec2 lumas = vec2(kNoLuma);
-#if HAS_DIFFUSE
-    if (isUsed) lumas.x = sampleLuma(gIn_Diffuse, pixel, false);
-#endif
-#if HAS_SPECULAR
-    if (isUsed) lumas[kSpecularChannel] = sampleLuma(gIn_Specular, pixel, true);
-#endif
-    return shareCap(ivec2(gl_WorkGroupID.xy), lumas);
-}
-#endif
-
 void main()
 {
     ivec2 position = ivec2(gl_GlobalInvocationID.xy);
-    if (texelFetch(gIn_Tiles, ivec2(gl_WorkGroupID.xy), 0).x > 0.5) // the same for the whole group
-    {
-#if HAS_SPREAD
-        if (kHasAntiFirefly && gl_LocalInvocationIndex == 0u)
-            imageStore(gOut_Spread, ivec2(gl_WorkGroupID.xy), vec4(0.0));
+    ivec2 tile = position / TILE_SIZE;
+    if (texelFetch(gIn_Tiles, tile, 0).x > 0.5 || !isInRect(position)) return;
+    float viewZ = decodeViewZ(texelFetch(gIn_ViewZ, guideTexel(position), 0).x);
+    if (!isInRange(viewZ)) return;
+    vec2 cap = vec2(NRD_FP16_MAX);
+#if HAS_CAP
+    if (kHasAntiFirefly) cap = texelFetch(gIn_Cap, tile, 0).xy;
 #endif
-        return;
-    }
-    float viewZ = decodeViewZ(texelFetch(gIn_ViewZ, guideTexel(clampToRect(position)), 0).x);
-    bool isUsed = isInRect(position) && isInRange(viewZ);
-#if HAS_SPREAD
-    vec2 cap = fireflyCap(position, isUsed);
-#else
-    vec2 cap = vec2(1.0);
-#endif
-    if (!isUsed) return;
     Pixel p = makePixel(position, viewZ, decodeGuide(texelFetch(gIn_NormalRoughness, guideTexel(position), 0)));
 #if HAS_DIFFUSE
     // Where the hit distance is the signal, a radius that follows its noise spreads the large values and keeps the small

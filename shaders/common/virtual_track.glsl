@@ -95,6 +95,15 @@ void testVirtual(Surface s, SurfaceTrack surface, inout VirtualTrack track, out 
     float threshold = s.disocclusionThreshold * s.frustumSize * mix(0.1, 1.0, s.NoV);
     float minCosine = 0.01745 - 0.25 * ramp(0.25, 0.0, surface.parallaxMax);
     float relax = smooth01(track.distanceToSurface);
+    // Distance from the tangent plane of what lies at a depth, start + slope * depth.
+    vec3 ray = reconstructViewPosition(track.uv, g.frustumPrev, 1.0, g.cameraDelta.w), eye = vec3(0.0);
+    if (g.cameraDelta.w != 0.0)
+    {
+        eye = vec3(ray.xy, 0.0);
+        ray = vec3(0.0, 0.0, 1.0);
+    }
+    float start = dot(s.guide.N, transform(g.viewToWorldPrev, eye) - surface.Xprev);
+    float slope = dot(s.guide.N, rotate(g.viewToWorldPrev, ray));
     vec4 inside = footprintInside(origin, lastPrevTexel());
     vec4 depths = gatherPrevViewZ(origin);
     vec4 NoN = vec4(0.0);
@@ -105,8 +114,7 @@ void testVirtual(Surface s, SurfaceTrack surface, inout VirtualTrack track, out 
                                              footprintTexel(origin, i, lastPrevTexel()), 0));
         float weight = roughnessWeight(s.guide.roughness, other.roughness, g.roughnessFraction, kRoughnessSensitivity);
         roughnessWeights[i] = mix(1.0, weight, relax);
-        vec3 Xv = reconstructViewPosition(track.uv, g.frustumPrev, depths[i], g.cameraDelta.w);
-        float planeDistance = abs(dot(s.guide.N, transform(g.viewToWorldPrev, Xv) - surface.Xprev));
+        float planeDistance = abs(start + slope * depths[i]);
         NoN[i] = dot(other.N, s.guide.N);
         bool isAccepted = inside[i] > 0.0 && NoN[i] > minCosine && roughnessWeights[i] >= 0.5 &&
                           isInRange(depths[i]) && planeDistance <= threshold - kEps &&
@@ -198,6 +206,25 @@ VirtualTrack trackVirtual(Surface s, SurfaceTrack surface, float hitDist, float 
     float lookBack = lookBackConfidence(s, track, surface.uv, previousGuide, curvatureAngle, lobeAngle);
     track.confidence = min(dot(roughnessWeights, track.footprint.bilinear) * normalPart, lookBack);
     if (!isAttached) track.confidence *= parallaxConfidence(s, r, track, hitDist, curvature, lobeTan);
+    return track;
+}
+
+// Where no image is followed: it moves with the surface.
+VirtualTrack surfaceImage(SurfaceTrack surface)
+{
+    VirtualTrack track;
+    track.uv = surface.uv;
+    track.distanceToSurface = 0.0;
+    track.reflectedShift = vec2(0.0);
+    track.footprint = surface.footprint;
+    track.valid = surface.valid;
+    track.weights = surface.weights;
+    track.NoN = surface.NoN;
+    track.isCubic = surface.isCubic;
+    track.quality = surface.quality;
+    track.confidence = 1.0;
+    track.stillness = 1.0;
+    track.n = surface.n[kSpecularChannel];
     return track;
 }
 

@@ -1,4 +1,4 @@
-// First recurrent blur. Also keeps this frame's depth for the next.
+// First recurrent blur: its result is the history, but for occlusion, which is blurred twice.
 #version 460
 #extension GL_EXT_control_flow_attributes : require
 #extension GL_GOOGLE_include_directive : require
@@ -10,48 +10,66 @@ layout(set = SET_RESOURCES, binding = 1) uniform texture2D gIn_ViewZ;
 layout(set = SET_RESOURCES, binding = 2) uniform texture2D gIn_NormalRoughness;
 layout(set = SET_RESOURCES, binding = 3) uniform texture2D gIn_Length;
 #define FIRST_OUT (4 + SIGNAL_NUM)
+#define FIRST_RESULT (FIRST_OUT + SIGNAL_NUM)
 #if HAS_DIFFUSE
 layout(set = SET_RESOURCES, binding = 4) uniform texture2D gIn_Diffuse;
-layout(set = SET_RESOURCES, binding = FIRST_OUT) uniform writeonly image2D gOut_Diffuse;
+layout(set = SET_RESOURCES, binding = FIRST_OUT) uniform writeonly image2D gOut_DiffuseHistory;
+#if IS_STABILIZED
+layout(set = SET_RESOURCES, binding = FIRST_RESULT) uniform writeonly image2D gOut_Diffuse;
+#endif
 #if IS_SH
 layout(set = SET_RESOURCES, binding = 4 + LOBE_NUM) uniform texture2D gIn_DiffuseSh;
-layout(set = SET_RESOURCES, binding = FIRST_OUT + LOBE_NUM) uniform writeonly image2D gOut_DiffuseSh;
+layout(set = SET_RESOURCES, binding = FIRST_OUT + LOBE_NUM) uniform writeonly image2D gOut_DiffuseHistorySh;
+layout(set = SET_RESOURCES, binding = FIRST_RESULT + LOBE_NUM) uniform writeonly image2D gOut_DiffuseSh;
 #endif
 #endif
 #if HAS_SPECULAR
 layout(set = SET_RESOURCES, binding = 3 + LOBE_NUM) uniform texture2D gIn_Specular;
-layout(set = SET_RESOURCES, binding = FIRST_OUT + LOBE_NUM - 1) uniform writeonly image2D gOut_Specular;
+layout(set = SET_RESOURCES, binding = FIRST_OUT + LOBE_NUM - 1) uniform writeonly image2D gOut_SpecularHistory;
+#if IS_STABILIZED
+layout(set = SET_RESOURCES, binding = FIRST_RESULT + LOBE_NUM - 1) uniform writeonly image2D gOut_Specular;
+#endif
 #if IS_SH
 layout(set = SET_RESOURCES, binding = 3 + 2 * LOBE_NUM) uniform texture2D gIn_SpecularSh;
-layout(set = SET_RESOURCES, binding = FIRST_OUT + 2 * LOBE_NUM - 1) uniform writeonly image2D gOut_SpecularSh;
+layout(set = SET_RESOURCES, binding = FIRST_OUT + 2 * LOBE_NUM - 1) uniform writeonly image2D gOut_SpecularHistorySh;
+layout(set = SET_RESOURCES, binding = FIRST_RESULT + 2 * LOBE_NUM - 1) uniform writeonly image2D gOut_SpecularSh;
 #endif
 #endif
-layout(set = SET_RESOURCES, binding = FIRST_OUT + SIGNAL_NUM) uniform writeonly image2D gOut_PrevViewZ;
+#if IS_STABILIZED
+layout(set = SET_RESOURCES, binding = FIRST_RESULT + SIGNAL_NUM) uniform writeonly uimage2D gOut_PrevLength;
+#endif
 
 #include "recurrent_blur.glsl"
 
 void main()
 {
     ivec2 position = ivec2(gl_GlobalInvocationID.xy);
-    if (!isInRect(position)) return;
-    // Copied before any exit: a stale depth in sky would let the next frame accept garbage.
-    float storedViewZ = texelFetch(gIn_ViewZ, guideTexel(position), 0).x;
-    imageStore(gOut_PrevViewZ, position, vec4(storedForNext(storedViewZ)));
-    if (texelFetch(gIn_Tiles, position / TILE_SIZE, 0).x > 0.5) return;
-    float viewZ = decodeViewZ(storedViewZ);
+    if (texelFetch(gIn_Tiles, position / TILE_SIZE, 0).x > 0.5 || !isInRect(position)) return;
+    float viewZ = decodeViewZ(texelFetch(gIn_ViewZ, guideTexel(position), 0).x);
     if (!isInRange(viewZ)) return;
     Pixel p = makePixel(position, viewZ, decodeGuide(texelFetch(gIn_NormalRoughness, guideTexel(position), 0)));
     vec2 narrowing = adaptedConvergence(gIn_Length, gIn_ViewZ, position);
     BlurPass pass = BlurPass(g.rotatorBlur, 1.0, 1.0);
 #if HAS_DIFFUSE
-    Lobe diffuse = Lobe(1.0, g.minMaterialForDiffuse, g.maxBlurRadius);
-    storeSignal(gOut_Diffuse, gOut_DiffuseSh, position,
-                blurLobe(gIn_Diffuse, gIn_DiffuseSh, p, diffuse, false, position, narrowing.x, pass));
+    Lobe diffuseLobe = Lobe(1.0, g.minMaterialForDiffuse, g.maxBlurRadius);
+    Signal diffuse = blurLobe(gIn_Diffuse, gIn_DiffuseSh, p, diffuseLobe, false, position, narrowing.x, pass);
+    storeSignal(gOut_DiffuseHistory, gOut_DiffuseHistorySh, position, diffuse);
 #endif
 #if HAS_SPECULAR
-    Lobe specular = Lobe(p.guide.roughness, g.minMaterialForSpecular, g.maxBlurRadius);
-    float specularNarrowing = narrowing[kSpecularChannel];
-    storeSignal(gOut_Specular, gOut_SpecularSh, position,
-                blurLobe(gIn_Specular, gIn_SpecularSh, p, specular, true, position, specularNarrowing, pass));
+    Lobe specularLobe = Lobe(p.guide.roughness, g.minMaterialForSpecular, g.maxBlurRadius);
+    Signal specular = blurLobe(gIn_Specular, gIn_SpecularSh, p, specularLobe, true, position,
+                               narrowing[kSpecularChannel], pass);
+    storeSignal(gOut_SpecularHistory, gOut_SpecularHistorySh, position, specular);
+#endif
+#if IS_STABILIZED
+    if (kHasStabilization) return; // which is the last pass then
+    vec2 n = unpackLengths(texelFetch(gIn_Length, position, 0).xy);
+#if HAS_DIFFUSE
+    storeOutput(gOut_Diffuse, gOut_DiffuseSh, position, diffuse, n.x);
+#endif
+#if HAS_SPECULAR
+    storeOutput(gOut_Specular, gOut_SpecularSh, position, specular, n[kSpecularChannel]);
+#endif
+    imageStore(gOut_PrevLength, position, uvec4(packLengthWord(n + 1.0)));
 #endif
 }

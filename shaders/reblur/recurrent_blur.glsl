@@ -6,7 +6,7 @@
 
 // Lighting edges that no guide shows survive where the history says that a difference is not noise: the admissible
 // relative difference of luma shrinks with convergence. Fitted on the recorded sequences.
-const float kLumaTolerance = 2.5;
+const float kLumaTolerance = 12.0;
 
 // How alike two signals are: of their hit distances and lumas, with one division for all falloffs.
 float signalWeight(Weights w, Signal centre, Signal other, float lumaTolerance)
@@ -28,6 +28,10 @@ struct BlurPass
     float fractionScale;
 };
 
+// Where the history has settled, four taps of equal weight do as well as eight.
+const float kSettled = 0.15; // convergence of about 11 frames
+const float kSettledRadius = 0.8;
+
 struct Sum
 {
     Signal signal;
@@ -37,18 +41,25 @@ struct Sum
 // Unrolled and without a branch, so that the reads of all taps are under way at once. Needs gIn_ViewZ and
 // gIn_NormalRoughness.
 void addTaps(inout Sum sum, texture2D t, texture2D second, Pixel p, Lobe lobe, bool isSpecular, Kernel kernel,
-             Weights w, float lumaTolerance, bool mayFold)
+             Weights w, float lumaTolerance, bool mayFold, bool isSettled)
 {
     Signal centre = sum.signal;
-    [[unroll]] for (int i = 0; i < 8; i++)
+    [[unroll]] for (int i = 0; i < (isSettled ? 4 : 8); i++)
     {
-        Tap tap = readTap(gIn_ViewZ, gIn_NormalRoughness, p, lobe, isSpecular, w, tapPosition(kernel, i), kTaps[i].z,
-                          mayFold);
+        Tap tap = readTap(gIn_ViewZ, gIn_NormalRoughness, p, lobe, isSpecular, w, tapPosition(kernel, i),
+                          isSettled ? 1.0 : kTaps[i].z, mayFold);
         Signal value = readSignal(t, second, tap.pixel);
         float weight = tap.weight * signalWeight(w, centre, value, lumaTolerance);
         sum.signal = addWeighted(sum.signal, value, weight);
         sum.weight += weight > 0.0 ? weight : 0.0; // not NaN
     }
+}
+
+Kernel shrunk(Kernel kernel)
+{
+    kernel.axes[0] *= kSettledRadius;
+    kernel.axes[1] *= kSettledRadius;
+    return kernel;
 }
 
 Signal blurLobe(texture2D t, texture2D second, Pixel p, Lobe lobe, bool isSpecular, ivec2 position, float narrowing,
@@ -70,10 +81,12 @@ Signal blurLobe(texture2D t, texture2D second, Pixel p, Lobe lobe, bool isSpecul
     float lumaTolerance = kLumaTolerance * narrowing;
     Sum sum = Sum(centre, 1.0);
     // Few kernels reach beyond the screen: the others need not ask it of every tap.
-    if (isOnScreen(kernel))
-        addTaps(sum, t, second, p, lobe, isSpecular, kernel, w, lumaTolerance, false);
+    if (!isOnScreen(kernel))
+        addTaps(sum, t, second, p, lobe, isSpecular, kernel, w, lumaTolerance, true, false);
+    else if (narrowing < kSettled)
+        addTaps(sum, t, second, p, lobe, isSpecular, shrunk(kernel), w, lumaTolerance, false, true);
     else
-        addTaps(sum, t, second, p, lobe, isSpecular, kernel, w, lumaTolerance, true);
+        addTaps(sum, t, second, p, lobe, isSpecular, kernel, w, lumaTolerance, false, false);
     Signal result = scaled(sum.signal, 1.0 / sum.weight);
     if (!kIsBounded) result.value.w = centre.value.w;
     return result;

@@ -84,7 +84,7 @@ struct ResponsiveAccumulationSettings
 // e(n) = s * mix(b, 1, sat(n / (1 + p * maxAccumulatedFrameNum))), the filters' footprint area is 1 / (1 + e(n) * n).
 struct ConvergenceSettings
 {
-    float s = 1.0f; // (0; 10]
+    float s = 0.6f; // (0; 10]
     float b = 0.2f; // [0; 1]
     float p = 0.8f; // [0; 1]
 };
@@ -96,7 +96,7 @@ struct ReblurSettings
     ResponsiveAccumulationSettings responsiveAccumulationSettings = {};
     ConvergenceSettings convergenceSettings = {};
 
-    uint32_t maxAccumulatedFrameNum = 30;         // [0; 63] frames, about half a second
+    uint32_t maxAccumulatedFrameNum = 40;         // [0; 63] frames, about two thirds of a second
     uint32_t maxFastAccumulatedFrameNum = 6;      // [0; 63] frames, >= maxAccumulatedFrameNum = no fast-history clamp
     uint32_t maxStabilizedFrameNum = 63;          // [0; 255] frames, 0 = no temporal stabilisation and no antilag
     uint32_t historyFixFrameNum = 3;              // [0; 8] frames, below maxFastAccumulatedFrameNum

@@ -12,6 +12,7 @@ enum Tex : uint8_t
 {
     Tiles,
     Cut,
+    Cap,
     Length,
     FastTemp,
     TrackNew,
@@ -24,6 +25,7 @@ enum Tex : uint8_t
     PrevLength,
     History,
     Fast,
+    Signals,
     Spread,
     Stab,
     Track
@@ -38,18 +40,20 @@ constexpr Having kSpecularOcclusion = {kSpecular, kOcclusion};
 constexpr TextureRow kTextures[] = {
     {Tiles, "Tiles", fixed(RGBA8_UNORM), Transient, TILE_SIZE},
     {Cut, "Cut", fixed(R8_UNORM), Transient, kOneTexel},
+    {Cap, "Cap", fixed(RG16_SFLOAT), Transient, TILE_SIZE, kColor},
     {Length, "Length", perLobes(R8_UNORM, RG8_UNORM), Transient},
     {FastTemp, "FastTemp", kLuma, Transient},
     {TrackNew, "TrackNew", fixed(R16_SFLOAT), Transient, 1, kSpecularColor},
     {StabHistory, "StabHistory", perLobes(R16_SFLOAT, RG16_SFLOAT), Transient, 1, kStabilized},
     {StabWeight, "StabWeight", perLobes(R8_UNORM, RG8_UNORM), Transient, 1, kStabilized},
     {VirtualAmount, "VirtualAmount", fixed(R8_UNORM), Transient, VIRTUAL_AMOUNT_STEP, kSpecular},
-    {Scratch, "Scratch", kPerSignal, Transient},
+    {Scratch, "Scratch", kPerSignal, Transient, 1, kOcclusion},
     {PrevViewZ, "PrevViewZ", fixed(R32_SFLOAT), Permanent},
     {PrevNormalRoughness, "PrevNormalRoughness", kGuide, Permanent},
     {PrevLength, "PrevLength", perLobes(R8_UINT, R16_UINT), Permanent},
-    {History, "History", kPerSignal, Permanent},
+    {History, "History", kPerSignal, Permanent, 1, kOcclusion},
     {Fast, "Fast", kLuma, Permanent},
+    {Signals, "Signals", kPerSignal, PingPong, 1, kStabilized},
     {Spread, "Spread", fixed(RGBA16_SFLOAT), PingPong, TILE_SIZE, kColor},
     {Stab, "Stab", perLobes(R16_SFLOAT, RG16_SFLOAT), Permanent, 1, kStabilized},
     {Track, "Track", fixed(R16_SFLOAT), PingPong, 1, kSpecularColor},
@@ -81,8 +85,15 @@ constexpr SwitchRow kStabilization = {SPEC_HAS_STABILIZATION, hasStabilization, 
 constexpr SwitchRow kMaterialTest = {SPEC_HAS_MATERIAL_TEST, hasMaterialTest};
 constexpr SwitchRow kAntiFirefly = {SPEC_HAS_ANTI_FIREFLY, hasAntiFirefly, kColor};
 
+bool runsFireflyCap(const Conditions& c) { return runsPrePass(c) && hasAntiFirefly(c); }
+
+// Every pass but the first reads what another wrote, so signals go back and forth between two textures. Where there are
+// an even number of steps, the two change places from frame to frame; occlusion takes one step more.
+constexpr Slot kSteps[] = {only(kStabilized, each(Signals)), only(kOcclusion, each(Scratch))};
+constexpr Slot kHistories[] = {only(kStabilized, prevEach(Signals)), only(kOcclusion, each(History))};
 // Without a pre-pass the input is accumulated as it came, and nobody wrote a tracking distance.
-constexpr Slot kEachAccumulated = choose(hasPrePass, each(Scratch), kEachInput);
+constexpr Slot kAccumulated[] = {only(kStabilized, choose(hasPrePass, each(Signals), kEachInput)),
+                                 only(kOcclusion, choose(hasPrePass, each(Scratch), kEachInput))};
 constexpr Slot kTrackNew = only(kSpecularColor, optional(hasPrePass, TrackNew));
 // Without stabilisation nobody keeps this history up to date.
 constexpr Slot kStab = only(kStabilized, optional(hasStabilization, Stab));
@@ -92,13 +103,15 @@ constexpr Slot kShownLength = optional(isDenoised, Length);
 constexpr Slot kShownVirtualAmount = only(kSpecular, optional(isDenoised, VirtualAmount));
 
 // From the first variant a pass applies to, to the last.
+constexpr ShaderSet kFireflyCap = {Shader::ReblurFireflyCapDiffuse, Shader::ReblurFireflyCapDiffuseSpecularSh};
 constexpr ShaderSet kPrePass = {Shader::ReblurPrePassDiffuse, Shader::ReblurPrePassDiffuseDirectionalOcclusion};
 constexpr ShaderSet kTemporalAccumulation = {Shader::ReblurTemporalAccumulationDiffuse,
                                              Shader::ReblurTemporalAccumulationDiffuseDirectionalOcclusion};
 constexpr ShaderSet kHistoryFix = {Shader::ReblurHistoryFixDiffuse,
                                    Shader::ReblurHistoryFixDiffuseDirectionalOcclusion};
 constexpr ShaderSet kBlur = {Shader::ReblurBlurDiffuse, Shader::ReblurBlurDiffuseDirectionalOcclusion};
-constexpr ShaderSet kPostBlur = {Shader::ReblurPostBlurDiffuse, Shader::ReblurPostBlurDiffuseDirectionalOcclusion};
+constexpr ShaderSet kPostBlur = {Shader::ReblurPostBlurDiffuseOcclusion,
+                                 Shader::ReblurPostBlurDiffuseSpecularOcclusion};
 constexpr ShaderSet kTemporalStabilization = {Shader::ReblurTemporalStabilizationDiffuse,
                                               Shader::ReblurTemporalStabilizationDiffuseDirectionalOcclusion};
 constexpr ShaderSet kSplitScreen = {Shader::ReblurSplitScreenDiffuse,
@@ -110,48 +123,60 @@ constexpr ShaderSet kValidation = {Shader::ReblurValidationDiffuse,
 constexpr PassRow kPasses[] = {
     {"Classify tiles", Shader::ClassifyTiles, {ViewZ, Motion, PrevViewZ}, {Tiles}, kTile, isDenoised},
     {"Detect cut", Shader::DetectCut, {Tiles}, {Cut}, kOneGroup, runsCutDetection, {}, kOneTexel},
+    {"Firefly cap",
+     kFireflyCap,
+     {Tiles, ViewZ, kEachInput, kCut, prev(Spread)},
+     {Cap, Spread},
+     kTile,
+     runsFireflyCap,
+     {},
+     1,
+     kColor},
     {"Pre-pass",
      kPrePass,
-     {Tiles, ViewZ, NormalRoughness, kEachInput, only(kColor, kCut), only(kColor, prev(Spread))},
-     {each(Scratch), only(kSpecularColor, TrackNew), only(kColor, Spread)},
-     kGroup16x16,
+     {Tiles, ViewZ, NormalRoughness, kEachInput, only(kColor, optional(runsFireflyCap, Cap))},
+     {kSteps[0], kSteps[1], only(kSpecularColor, TrackNew)},
+     kGroup8x16,
      runsPrePass,
      {kAntiFirefly, kMaterialTest}},
     {"Temporal accumulation",
      kTemporalAccumulation,
      {Tiles, ViewZ, NormalRoughness, Motion, PrevViewZ, PrevNormalRoughness, PrevLength, kCut, kThresholdMix,
-      kDiffuseConfidence, kSpecularConfidence, kEachAccumulated, each(History), Fast, kStab, kTrackNew,
+      kDiffuseConfidence, kSpecularConfidence, kAccumulated[0], kAccumulated[1], kHistories[0],
+      kHistories[1], Fast, kStab, kTrackNew,
       only(kSpecularOcclusion, ResourceType::IN_SPEC_HITDIST), only(kSpecularColor, prev(Track)),
       kSpecularMotion},
-     {each(Scratch), FastTemp, Length, only(kStabilized, StabHistory), only(kStabilized, StabWeight),
+     {kSteps[0], kSteps[1], FastTemp, Length, only(kStabilized, StabHistory), only(kStabilized, StabWeight),
       only(kSpecularColor, Track), only(kSpecular, VirtualAmount)},
      kGroup8x16,
      isDenoised,
      {kPrePassSwitch, kStabilization, kMaterialTest, kConfidence, kDisocclusionMix}},
     {"History fix",
      kHistoryFix,
-     {Tiles, ViewZ, NormalRoughness, Length, each(Scratch), FastTemp, only(kSpecularColor, Track)},
-     {each(History), Fast},
+     {Tiles, ViewZ, NormalRoughness, Length, kSteps[0], kSteps[1], FastTemp, only(kSpecularColor, Track)},
+     {kHistories[0], kHistories[1], Fast, PrevViewZ, PrevNormalRoughness},
      kGroup8x16,
      isDenoised,
      {kAntiFirefly, kMaterialTest}},
     {"Blur",
      kBlur,
-     {Tiles, ViewZ, NormalRoughness, Length, each(History)},
-     {each(Scratch), PrevViewZ},
-     kGroup8x16,
-     isDenoised,
-     {kMaterialTest}},
-    {"Post-blur",
-     kPostBlur,
-     {Tiles, ViewZ, NormalRoughness, Length, each(Scratch)},
-     {each(History), PrevNormalRoughness, PrevLength, kEachOutput},
+     {Tiles, ViewZ, NormalRoughness, Length, kHistories[0], kHistories[1]},
+     {kSteps[0], kSteps[1], only(kStabilized, kEachOutput), only(kStabilized, PrevLength)},
      kGroup8x16,
      isDenoised,
      {kMaterialTest, kStabilization}},
+    {"Post-blur",
+     kPostBlur,
+     {Tiles, ViewZ, NormalRoughness, Length, each(Scratch)},
+     {each(History), PrevLength, kEachOutput},
+     kGroup8x16,
+     isDenoised,
+     {kMaterialTest},
+     1,
+     kOcclusion},
     {"Temporal stabilization",
      kTemporalStabilization,
-     {Tiles, ViewZ, Length, StabHistory, StabWeight, each(History), only(kSpecular, NormalRoughness)},
+     {Tiles, ViewZ, Length, StabHistory, StabWeight, each(Signals), only(kSpecular, NormalRoughness)},
      {kEachOutput, Stab, PrevLength},
      kGroup8x16,
      runsStabilization,

@@ -12,6 +12,7 @@ enum Tex : uint8_t
 {
     Tiles,
     Cut,
+    Cap,
     Length,
     FastTemp,
     TrackNew,
@@ -34,6 +35,7 @@ using enum Lifetime;
 constexpr TextureRow kTextures[] = {
     {Tiles, "Tiles", fixed(RGBA8_UNORM), Transient, TILE_SIZE},
     {Cut, "Cut", fixed(R8_UNORM), Transient, kOneTexel},
+    {Cap, "Cap", fixed(RG16_SFLOAT), Transient, TILE_SIZE},
     {Length, "Length", perLobes(R8_UNORM, RG8_UNORM), Transient},
     {FastTemp, "FastTemp", perLobes(RG16_SFLOAT, RGBA16_SFLOAT), Transient}, // with the luma of the new sample
     {TrackNew, "TrackNew", fixed(R16_SFLOAT), Transient, 1, kSpecular},
@@ -61,6 +63,8 @@ bool hasPrePass(const Conditions& c)
 bool runsPrePass(const Conditions& c) { return isDenoised(c) && hasPrePass(c); }
 bool hasAntiFirefly(const Conditions& c) { return settingsOf(c).enableAntiFirefly; }
 
+bool runsFireflyCap(const Conditions& c) { return runsPrePass(c) && hasAntiFirefly(c); }
+
 bool hasMaterialTest(const Conditions& c)
 {
     return usesMaterials(c, settingsOf(c).minMaterialForDiffuse, settingsOf(c).minMaterialForSpecular);
@@ -84,6 +88,7 @@ constexpr Slot kShownLength = optional(isDenoised, Length);
 constexpr Slot kShownVirtualAmount = only(kSpecular, optional(isDenoised, VirtualAmount));
 
 // From the first variant a pass applies to, to the last.
+constexpr ShaderSet kFireflyCap = {Shader::RelaxFireflyCapDiffuse, Shader::RelaxFireflyCapDiffuseSpecularSh};
 constexpr ShaderSet kPrePass = {Shader::RelaxPrePassDiffuse, Shader::RelaxPrePassDiffuseSpecularSh};
 constexpr ShaderSet kTemporalAccumulation = {Shader::RelaxTemporalAccumulationDiffuse,
                                              Shader::RelaxTemporalAccumulationDiffuseSpecularSh};
@@ -114,11 +119,17 @@ template <uint32_t Step> constexpr PassRow atrous(const char* name)
 constexpr PassRow kPasses[] = {
     {"Classify tiles", Shader::ClassifyTiles, {ViewZ, Motion, PrevViewZ}, {Tiles}, kTile, isDenoised},
     {"Detect cut", Shader::DetectCut, {Tiles}, {Cut}, kOneGroup, runsCutDetection, {}, kOneTexel},
+    {"Firefly cap",
+     kFireflyCap,
+     {Tiles, ViewZ, kEachInput, kCut, prev(Spread)},
+     {Cap, Spread},
+     kTile,
+     runsFireflyCap},
     {"Pre-pass",
      kPrePass,
-     {Tiles, ViewZ, NormalRoughness, kEachInput, kCut, prev(Spread)},
-     {each(Scratch), only(kSpecular, TrackNew), Spread},
-     kGroup16x16,
+     {Tiles, ViewZ, NormalRoughness, kEachInput, optional(runsFireflyCap, Cap)},
+     {each(Scratch), only(kSpecular, TrackNew)},
+     kGroup8x16,
      runsPrePass,
      {kAntiFirefly, kMaterialTest}},
     {"Temporal accumulation",
