@@ -7,8 +7,9 @@ using namespace test;
 
 namespace
 {
-const std::vector<std::string> kSteadyPasses = {"Classify tiles", "Detect cut", "Pre-pass",  "Temporal accumulation",
-                                                "History fix",    "Blur",       "Post-blur", "Temporal stabilization"};
+const std::vector<std::string> kSteadyPasses = {
+    "Classify tiles", "Detect cut",  "Firefly cap", "Pre-pass",
+    "Temporal accumulation", "History fix", "Blur", "Temporal stabilization"};
 
 // An instance whose first frame, the one with the clears, is over.
 struct Steady
@@ -47,7 +48,7 @@ TEST_CASE("REBLUR emits its passes in the order of the table", "[unit]")
     Steady steady({kReblurBoth});
     const std::vector<DispatchDesc> dispatches = requestFrame(*steady.instance, steady.common);
     CHECK(passNames(dispatches) == kSteadyPasses);
-    CHECK(std::string(dispatches[5].name) == "REBLUR_DIFFUSE_SPECULAR - Blur");
+    CHECK(std::string(dispatches[6].name) == "REBLUR_DIFFUSE_SPECULAR - Blur");
     for (const DispatchDesc& dispatch : dispatches)
     {
         CHECK(dispatch.identifier == 0);
@@ -68,7 +69,8 @@ TEST_CASE("grids cover the rect, tiles one group each", "[unit]")
         return std::make_pair(dispatch->gridWidth, dispatch->gridHeight);
     };
     CHECK(grid("Classify tiles") == std::make_pair(5u, 3u));
-    CHECK(grid("Pre-pass") == std::make_pair(5u, 3u));
+    CHECK(grid("Firefly cap") == std::make_pair(5u, 3u));
+    CHECK(grid("Pre-pass") == std::make_pair(9u, 3u));
     CHECK(grid("Blur") == std::make_pair(9u, 3u));
 }
 

@@ -61,7 +61,7 @@ TEST_CASE("derived REBLUR settings are those of the specification", "[unit]")
 {
     Inputs inputs;
     const DenoiserConstants g = inputs.make();
-    CHECK(g.maxAccumulatedFrameNum.y == 30.0f);
+    CHECK(g.maxAccumulatedFrameNum.y == 40.0f);
     CHECK(g.maxFastAccumulatedFrameNum.x == 6.0f);
     CHECK(g.lobeAngleFraction == Approx(0.0225f));
     CHECK(g.stabilizationStrength == Approx(63.0f / 64.0f));
@@ -90,10 +90,10 @@ TEST_CASE("the convergence constants give the specified factor", "[unit]")
         const float t = std::min(n * g.convergenceLengthInv, 1.0f);
         return 1.0f / (1.0f + (g.convergence.x + g.convergence.y * t) * n);
     };
-    CHECK(beta(1.0f) == Approx(0.8117f).epsilon(1e-3));
-    CHECK(beta(3.0f) == Approx(0.5297f).epsilon(1e-3));
-    CHECK(beta(16.0f) == Approx(0.0807f).epsilon(1e-3));
-    CHECK(beta(30.0f) == Approx(0.0323f).epsilon(2e-3));
+    CHECK(beta(1.0f) == Approx(0.8814f).epsilon(1e-3));
+    CHECK(beta(3.0f) == Approx(0.6707f).epsilon(1e-3));
+    CHECK(beta(16.0f) == Approx(0.1505f).epsilon(1e-3));
+    CHECK(beta(40.0f) == Approx(0.04f).epsilon(1e-3));
 }
 
 TEST_CASE("radii follow the root of the rectangle's height", "[unit]")

@@ -114,7 +114,7 @@ TEST_CASE("a reset drops history lengths and previous sizes, for the denoiser th
     CHECK(old.rectSizePrev.x == 50.0f);
     CHECK(old.resourceSizeInvPrev.x == 1.0f / 80.0f);
     CHECK(old.disocclusionThreshold == Approx(0.01f + 1.5f / 60.0f));
-    CHECK(old.maxAccumulatedFrameNum.y == 30.0f);
+    CHECK(old.maxAccumulatedFrameNum.y == 40.0f);
     CHECK(old.stabilizationStrength == Approx(63.0f / 64.0f));
 }
 
