@@ -2,6 +2,7 @@
 #pragma once
 #include "catch.h"
 #include "denoiser_constants.h"
+#include "valid_settings.h"
 #include <memory>
 #include <nrd/nrd.h>
 #include <string>
@@ -12,12 +13,6 @@ namespace test
 using namespace nrd;
 
 constexpr Denoiser kReblurBoth = Denoiser::REBLUR_DIFFUSE_SPECULAR;
-
-// Perspective with 90 degrees, left-handed unless said otherwise, at the origin, 100 x 60 pixels.
-CommonSettings makeCommon();
-void setIdentity(float (&matrix)[16]);
-void setPerspective(float (&matrix)[16], float xScale, float yScale, float viewZSign);
-void setCameraPosition(float (&worldToView)[16], float x, float y, float z); // keeps the rotation
 
 struct Messages
 {
