@@ -35,7 +35,7 @@ std::vector<DispatchDesc> request(Instance& instance, const std::vector<Identifi
 // Common settings with the next frame index first.
 std::vector<DispatchDesc> requestFrame(Instance& instance, CommonSettings& common,
                                        const std::vector<Identifier>& identifiers = {0});
-std::vector<std::string> passNames(const std::vector<DispatchDesc>& dispatches);      // without "DENOISER - "
+std::vector<std::string> passNames(const std::vector<DispatchDesc>& dispatches);        // without "DENOISER - "
 shared::DenoiserConstants reblurConstants(const std::vector<DispatchDesc>& dispatches); // of the blur
 const DispatchDesc* findPass(const std::vector<DispatchDesc>& dispatches, const std::string& name); // null = none
 
