@@ -150,7 +150,8 @@ void Calls::dispatch()
 {
     Identifier identifiers[kIdentifierNum];
     for (Identifier& identifier : identifiers) identifier = m_reader.below(kIdentifierNum);
-    const uint32_t identifierNum = m_reader.below(kIdentifierNum + 1);
+    // Long lists nearly always name a stranger or repeat one; short ones get through.
+    const uint32_t identifierNum = m_reader.flag() ? m_reader.below(2) : m_reader.below(kIdentifierNum + 1);
     const DispatchDesc* dispatches = nullptr;
     uint32_t dispatchNum = 0;
     const Result result = GetComputeDispatches(*m_instance, m_reader.below(16) == 0 ? nullptr : identifiers,
