@@ -1,9 +1,15 @@
 #!/usr/bin/env bash
 # Builds the project and runs its tests on any Vulkan device, lavapipe if there is no other.
 # Closes with "N passed, N failed", and the number of skipped tests if test data is missing.
+# With --long every suite runs its long form (NRD_TEST_LONG=1 in the environment of the tests).
 # BUILD_DIR, NRD_TEST_DATA and JOBS may be set in the environment.
 set -euo pipefail
 cd "$(dirname "$0")/.."
+case "${1:-}" in
+    "") ;;
+    --long) export NRD_TEST_LONG=1 ;;
+    *) echo "usage: $0 [--long]" >&2; exit 2 ;;
+esac
 build=${BUILD_DIR:-build}
 jobs=${JOBS:-$(nproc)}
 

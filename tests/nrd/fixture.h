@@ -2,6 +2,7 @@
 #pragma once
 #include "catch.h"
 #include "denoiser_constants.h"
+#include "valid_settings.h"
 #include <memory>
 #include <nrd/nrd.h>
 #include <string>
@@ -12,12 +13,6 @@ namespace test
 using namespace nrd;
 
 constexpr Denoiser kReblurBoth = Denoiser::REBLUR_DIFFUSE_SPECULAR;
-
-// Perspective with 90 degrees, left-handed unless said otherwise, at the origin, 100 x 60 pixels.
-CommonSettings makeCommon();
-void setIdentity(float (&matrix)[16]);
-void setPerspective(float (&matrix)[16], float xScale, float yScale, float viewZSign);
-void setCameraPosition(float (&worldToView)[16], float x, float y, float z); // keeps the rotation
 
 struct Messages
 {
@@ -40,7 +35,7 @@ std::vector<DispatchDesc> request(Instance& instance, const std::vector<Identifi
 // Common settings with the next frame index first.
 std::vector<DispatchDesc> requestFrame(Instance& instance, CommonSettings& common,
                                        const std::vector<Identifier>& identifiers = {0});
-std::vector<std::string> passNames(const std::vector<DispatchDesc>& dispatches);      // without "DENOISER - "
+std::vector<std::string> passNames(const std::vector<DispatchDesc>& dispatches);        // without "DENOISER - "
 shared::DenoiserConstants reblurConstants(const std::vector<DispatchDesc>& dispatches); // of the blur
 const DispatchDesc* findPass(const std::vector<DispatchDesc>& dispatches, const std::string& name); // null = none
 

@@ -1,0 +1,214 @@
+// Every public call of the library in any order, with arbitrary values in every field and null wherever it is allowed.
+#include "dispatch_promises.h"
+#include "fuzz.h"
+#include "replay_settings.h"
+#include "valid_settings.h"
+
+#include <limits>
+
+namespace
+{
+using fuzz::ByteReader;
+using fuzz::require;
+using namespace nrd;
+
+constexpr uint32_t kMaxDenoiserNum = 6;
+constexpr uint32_t kIdentifierNum = 8; // more than denoisers: some belong to none
+
+template <class T> void setArbitrary(T& value, ByteReader& reader)
+{
+    if constexpr (std::is_same_v<T, bool>)
+        value = reader.flag();
+    else
+        value = reader.value<T>();
+}
+
+// Noise is refused at the first field; a mild value lets a call go through with one odd field.
+template <class T> void setMild(T& value, ByteReader& reader)
+{
+    if constexpr (std::is_same_v<T, bool>)
+        value = reader.flag();
+    else if constexpr (std::is_floating_point_v<T>)
+    {
+        constexpr T kValues[] = {0,
+                                 1,
+                                 T(0.5),
+                                 T(1e-30),
+                                 T(1e30),
+                                 T(-1),
+                                 std::numeric_limits<T>::infinity(),
+                                 std::numeric_limits<T>::quiet_NaN(),
+                                 std::numeric_limits<T>::max(),
+                                 T(3)};
+        value = kValues[reader.below(std::size(kValues))];
+    }
+    else
+        value = static_cast<T>(reader.below(64));
+}
+
+void changeField(sample::SettingField& field, ByteReader& reader)
+{
+    const size_t index = reader.below(static_cast<uint32_t>(field.count));
+    const bool isMild = reader.flag();
+    std::visit([&](auto* value) { isMild ? setMild(value[index], reader) : setArbitrary(value[index], reader); },
+               field.target);
+}
+
+class Calls
+{
+public:
+    explicit Calls(ByteReader& reader) : m_reader(reader) {}
+    ~Calls() { DestroyInstance(m_instance); }
+    Calls(const Calls&) = delete;
+    Calls& operator=(const Calls&) = delete;
+
+    void callSomething();
+    void expectUsable(); // after whatever was refused
+
+private:
+    void create();
+    void setCommon();
+    void setDenoiser();
+    void dispatch();
+    void getRequirements(Identifier identifier);
+    void changeSettings(sample::Family family);
+    void check(Result result, bool isRefusalExplained = true);
+
+    ByteReader& m_reader;
+    Instance* m_instance = nullptr;
+    sample::ReplaySettings m_settings = {test::makeCommon(), {}, {}, {}, {}};
+    uint32_t m_reportNum = 0;
+};
+
+void Calls::check(Result result, bool isRefusalExplained)
+{
+    fuzz::countCall();
+    require(result < Result::MAX_NUM, "a result is one of the enumeration");
+    const bool isRefused = result != Result::SUCCESS;
+    if (isRefusalExplained) require(isRefused == (m_reportNum == 1), "one sentence for a refused call, else none");
+    if (isRefused && m_instance) require(*GetLastMessage(*m_instance) != 0, "a refused call is explained");
+    m_reportNum = 0;
+}
+
+void Calls::create()
+{
+    DestroyInstance(m_instance);
+    DenoiserDesc denoisers[kMaxDenoiserNum];
+    InstanceCreationDesc desc;
+    desc.denoisersNum = m_reader.below(kMaxDenoiserNum + 1);
+    const bool isWild = m_reader.below(8) == 0;
+    for (uint32_t i = 0; i < desc.denoisersNum; i++)
+    {
+        denoisers[i].identifier = isWild ? m_reader.below(kIdentifierNum) : i;
+        denoisers[i].denoiser = isWild
+                                    ? m_reader.value<Denoiser>()
+                                    : static_cast<Denoiser>(m_reader.below(static_cast<uint32_t>(Denoiser::MAX_NUM)));
+        denoisers[i].resolutionDivisor = isWild ? m_reader.value<uint32_t>() : 1 + m_reader.below(8);
+        if (isWild) denoisers[i].hasHistory = m_reader.flag();
+    }
+    desc.denoisers = isWild && m_reader.flag() ? nullptr : denoisers;
+    if (isWild && m_reader.flag()) desc.headerVersion = m_reader.value<uint32_t>();
+    desc.normalEncoding = static_cast<NormalEncoding>(isWild ? m_reader.value<uint32_t>() : m_reader.below(5));
+    desc.roughnessEncoding = static_cast<RoughnessEncoding>(isWild ? m_reader.value<uint32_t>() : m_reader.below(3));
+    desc.messageSink.userArg = &m_reportNum;
+    desc.messageSink.report = [](void* userArg, Result result, const char* text)
+    {
+        require(result != Result::SUCCESS && text && *text, "a report is a sentence about a refusal");
+        ++*static_cast<uint32_t*>(userArg);
+    };
+    const Result result = CreateInstance(desc, m_instance);
+    require((result == Result::SUCCESS) == (m_instance != nullptr), "an instance comes with success only");
+    check(result);
+}
+
+void Calls::changeSettings(sample::Family family)
+{
+    std::vector<sample::SettingField> fields = sample::settingFields(m_settings, family);
+    for (uint32_t changes = m_reader.below(4); changes > 0; changes--)
+        changeField(fields[m_reader.below(static_cast<uint32_t>(fields.size()))], m_reader);
+}
+
+void Calls::setCommon()
+{
+    if (m_reader.below(4) == 0) m_settings.common = test::makeCommon();
+    changeSettings(sample::Family::None);
+    check(SetCommonSettings(*m_instance, m_settings.common));
+}
+
+void Calls::setDenoiser()
+{
+    const Identifier identifier = m_reader.below(kIdentifierNum);
+    const auto family = static_cast<sample::Family>(1 + m_reader.below(4));
+    if (m_reader.below(4) == 0) m_settings = {m_settings.common, {}, {}, {}, {}};
+    changeSettings(family);
+    check(sample::setDenoiserSettings(m_settings, family,
+                                      [&](const auto& settings)
+                                      { return SetDenoiserSettings(*m_instance, identifier, settings); }));
+}
+
+void Calls::dispatch()
+{
+    Identifier identifiers[kIdentifierNum];
+    for (Identifier& identifier : identifiers) identifier = m_reader.below(kIdentifierNum);
+    // Long lists nearly always name a stranger or repeat one; short ones get through.
+    const uint32_t identifierNum = m_reader.flag() ? m_reader.below(2) : m_reader.below(kIdentifierNum + 1);
+    const DispatchDesc* dispatches = nullptr;
+    uint32_t dispatchNum = 0;
+    const Result result = GetComputeDispatches(*m_instance, m_reader.below(16) == 0 ? nullptr : identifiers,
+                                               identifierNum, dispatches, dispatchNum);
+    check(result);
+    if (result != Result::SUCCESS) return;
+    for (uint32_t i = 0; i < dispatchNum; i++) fuzz::checkDispatch(GetInstanceDesc(*m_instance), dispatches[i]);
+}
+
+void Calls::getRequirements(Identifier identifier)
+{
+    const ResourceRequirement* requirements = nullptr;
+    uint32_t requirementNum = 0;
+    const Result result = GetRequiredResources(*m_instance, identifier, requirements, requirementNum);
+    check(result, false); // a const call may tell its refusal by its result alone
+    if (result != Result::SUCCESS) return;
+    for (uint32_t i = 0; i < requirementNum; i++)
+        require(requirements[i].type < ResourceType::TRANSIENT_POOL && requirements[i].minFormat < Format::MAX_NUM,
+                "a requirement is a slot of the user pool with a format");
+}
+
+void Calls::callSomething()
+{
+    const uint32_t call = m_reader.below(16);
+    if (!m_instance || call == 0)
+        create();
+    else if (call < 5)
+        setCommon();
+    else if (call < 9)
+        setDenoiser();
+    else if (call < 14)
+        dispatch();
+    else
+        getRequirements(m_reader.below(kIdentifierNum));
+}
+
+void Calls::expectUsable()
+{
+    if (!m_instance) return;
+    check(SetCommonSettings(*m_instance, test::makeCommon()));
+    const InstanceDesc& desc = GetInstanceDesc(*m_instance);
+    for (uint32_t i = 0; i < desc.denoisersNum; i++)
+    {
+        const DispatchDesc* dispatches = nullptr;
+        uint32_t num = 0;
+        const Result result = GetComputeDispatches(*m_instance, &desc.denoisers[i].identifier, 1, dispatches, num);
+        require(result == Result::SUCCESS && num > 0, "a refused call leaves an instance that denoises");
+        check(result);
+    }
+}
+} // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t* bytes, size_t size)
+{
+    ByteReader reader(bytes, size);
+    Calls calls(reader);
+    while (!reader.isEmpty()) calls.callSomething();
+    calls.expectUsable();
+    return 0;
+}
