@@ -29,7 +29,7 @@ fi
 
 log="$build/tests.log"
 status=0
-ctest --test-dir "$build" --verbose --timeout 900 -j 1 > "$log" 2>&1 || status=$?
+ctest --test-dir "$build" --verbose --timeout 900 -j 2 > "$log" 2>&1 || status=$?
 grep -E '^[0-9]+: (SKIPPED|FIGURE)|^ *[0-9]+/[0-9]+ Test|\*\*\*' "$log" | sed -E 's/^[0-9]+: //' || true
 if [ $status -ne 0 ]; then grep -E '^[0-9]+: ' "$log" | sed -E 's/^[0-9]+: //' | grep -vE '^(SKIPPED|FIGURE)' | tail -n 200; fi
 

@@ -36,8 +36,10 @@ layout(set = SET_RESOURCES, binding = 3 + SIGNAL_NUM) uniform texture2D gIn_Cap;
 
 #include "complete_input.glsl"
 
-// Four taps at this share of the radius, which a full disk of eight gains 0.1 dB over.
-const float kTapRadius = 0.8;
+// Four taps, over which eight gain 0.1 dB. RELAX's rank filter, where it is on, would cut what four leave standing.
+const bool kHasAllTaps = kIsRelax && kHasAntiFirefly;
+const int kTapNum = kHasAllTaps ? 8 : 4;
+const float kTapRadius = kHasAllTaps ? 1.0 : 0.8; // share of the radius
 const float kNarrowing = 1.0 / 11.0;
 const float kFractionScale = 2.0;
 // Hit distances are noise here. A strict weight starves samples with rare distances, which are the bright ones where
@@ -123,11 +125,12 @@ Filtered prefilter(texture2D t, texture2D second, Pixel p, Lobe lobe, bool isSpe
     float nearest = hitDist > 0.0 ? hitDist : 1e30;
     vec4 axes = g.rotatorPrePass * (radius * kTapRadius);
     TapSums sums = TapSums(kNoSignal, kNoSignal, 0.0, 0.0, 0.0);
-    for (int i = 0; i < 4; i++)
+    for (int i = 0; i < kTapNum; i++)
     {
         bool isInside;
         vec2 position = snapToData(p.position + rotateTap(axes, kTaps[i].xy), isSpecular, i, isInside);
-        Tap tap = readTap(gIn_ViewZ, gIn_NormalRoughness, p, lobe, isSpecular, w, position, 1.0, true);
+        Tap tap = readTap(gIn_ViewZ, gIn_NormalRoughness, p, lobe, isSpecular, w, position,
+                          kHasAllTaps ? kTaps[i].z : 1.0, true);
         bool isTapValid;
         Signal value = capLuma(readInput(t, second, inputTexel(tap.pixel), isTapValid), maxLuma);
         float share = isTapValid && isInside ? tap.weight : 0.0;

@@ -6,7 +6,7 @@
 
 const int kRadius = 2; // of every window
 const ivec2 kHalo = ivec2(8 + 2 * kRadius, 16 + 2 * kRadius);
-const float kAntiFireflySigmaScale = 2.0;
+const float kAntiFireflySigmaScale = 2.6;
 const float kInvalid = -1.0; // lumas are not negative
 
 // A group may hold only a small share of a multiprocessor's shared memory, or too few of them run side by side to hide
