@@ -225,17 +225,17 @@ void ReplayGpu::recordPack(VkCommandBuffer cmd, Slot& slot, const ReplaySettings
     engine::transition(cmd, slot.image, engine::kStorage);
     const bool isMix = slot.row.type == nrd::ResourceType::IN_DISOCCLUSION_THRESHOLD_MIX;
     const nrd::HitDistanceParameters& p = settings.reblur.hitDistanceParameters;
-    const bool isLobe = slot.row.layer == Layer::Diffuse || slot.row.layer == Layer::Specular ||
-                        slot.row.layer == Layer::Shadow;
+    const bool isLobe =
+        slot.row.layer == Layer::Diffuse || slot.row.layer == Layer::Specular || slot.row.layer == Layer::Shadow;
     const nrd::CheckerboardMode mode =
         isLobe ? checkerboardModeOf(settings, m_denoiser.family) : nrd::CheckerboardMode::OFF;
     PackConstants constants{{p.A * settings.common.metersToUnits, p.B, p.C, 0.0f},
-                                  slot.row.mode,
-                                  slot.row.isDiffuse,
-                                  {static_cast<uint32_t>(m_info.width), static_cast<uint32_t>(m_info.height)},
-                                  isMix ? m_desc.disocclusionMix : m_desc.confidence,
-                                  static_cast<uint32_t>(mode),
-                                  settings.common.frameIndex};
+                            slot.row.mode,
+                            slot.row.isDiffuse,
+                            {static_cast<uint32_t>(m_info.width), static_cast<uint32_t>(m_info.height)},
+                            isMix ? m_desc.disocclusionMix : m_desc.confidence,
+                            static_cast<uint32_t>(mode),
+                            settings.common.frameIndex};
     setLight(constants, m_desc.capture.info(), m_frameIndex);
     m_packing.pack(cmd, slot.set, constants);
 }
@@ -302,7 +302,8 @@ ReplayedFrame ReplayGpu::read(const Planes& frame, bool isHistoryLength)
             Signals& signals = reading.isExtracted ? result.extracted : result.signals;
             if (row.type == nrd::ResourceType::OUT_VALIDATION) result.overlay = pictureOf(values, {}, overlay, 0.0f);
             const auto isWanted = [&](Signal signal) { return contains(m_denoiser.signals, signal); };
-            if (row.radiance && isWanted(*row.radiance)) signals[*row.radiance] = pictureOf(values, surface, colour, 0.0f);
+            if (row.radiance && isWanted(*row.radiance))
+                signals[*row.radiance] = pictureOf(values, surface, colour, 0.0f);
             if (!row.scalar || (row.radiance && isHistoryLength)) continue;
             signals[*row.scalar] = pictureOf(values, surface, scalar, 1.0f);
         }

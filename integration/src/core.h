@@ -48,8 +48,7 @@ private:
     {
         DenoiserDesc desc;
         // As set last, for a new instance.
-        std::variant<std::monostate, ReblurSettings, RelaxSettings, SigmaSettings, ReferenceSettings>
-            settings;
+        std::variant<std::monostate, ReblurSettings, RelaxSettings, SigmaSettings, ReferenceSettings> settings;
         uint64_t lastFrame = 0;       // that it was denoised in
         bool isHistoryBroken = false; // its last request was planned, but not recorded
     };

@@ -113,7 +113,10 @@ struct Slot
 
 // The five words of the pass tables, besides plain keys and resource types.
 template <class Key> constexpr Place prev(Key key) { return {Source::Table, static_cast<uint8_t>(key), true, false}; }
-template <class Key> constexpr Place prevEach(Key key) { return {Source::Table, static_cast<uint8_t>(key), true, true}; }
+template <class Key> constexpr Place prevEach(Key key)
+{
+    return {Source::Table, static_cast<uint8_t>(key), true, true};
+}
 template <class Key> constexpr Place each(Key key) { return {Source::Table, static_cast<uint8_t>(key), false, true}; }
 constexpr Place kEachInput = {Source::SignalInput, 0, false, true};
 constexpr Place kEachOutput = {Source::SignalOutput, 0, false, true};

@@ -37,7 +37,7 @@ layout(set = SET_RESOURCES, binding = FIRST_OUT + 2 * LOBE_NUM - 1) uniform writ
 
 const float kCentreWeight = 0.2, kNeighbourWeight = 0.16;
 
-// Four neighbours, on the axes and on the diagonals by turns. Eight of them in each step cost twice the time for 0.2 dB.
+// Four neighbours, on the axes and on the diagonals by turns. All eight in each step cost twice the time for 0.2 dB.
 ivec2 tapOffset(int i)
 {
     ivec2 axis = i < 2 ? ivec2(2 * i - 1, 0) : ivec2(0, 2 * i - 5);

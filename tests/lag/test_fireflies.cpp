@@ -128,6 +128,6 @@ TEST_CASE("the anti-firefly of REBLUR leaves most of a light that one path in 20
         INFO(nrd::toString(denoiser));
         const Figures on = printRun(denoiser, {Input::Sparse, true, true});
         const Figures off = printRun(denoiser, {Input::Sparse, false, true});
-        if (!isRelax(denoiser)) CHECK(on.mean > 0.65 * off.mean);
+        if (!isRelax(denoiser)) CHECK(on.mean > 0.6 * off.mean); // 0.65 with bounds from 72 pixels instead of 16
     }
 }

@@ -8,8 +8,8 @@ using namespace test;
 namespace
 {
 const std::vector<std::string> kSteadyPasses = {
-    "Classify tiles", "Detect cut",  "Firefly cap", "Pre-pass",
-    "Temporal accumulation", "History fix", "Blur", "Temporal stabilization"};
+    "Classify tiles",        "Detect cut",  "Firefly cap", "Pre-pass",
+    "Temporal accumulation", "History fix", "Blur",        "Temporal stabilization"};
 
 // An instance whose first frame, the one with the clears, is over.
 struct Steady
@@ -237,7 +237,7 @@ TEST_CASE("ping-pong textures change places with every request of their denoiser
         const std::vector<DispatchDesc> dispatches = requestFrame(*steady.instance, steady.common, {identifier});
         const DispatchDesc* pass = findPass(dispatches, "Temporal accumulation");
         const uint32_t readNum = desc.pipelines[pass->pipelineIndex].texturesNum;
-        return std::make_pair(pass->resources[readNum - 2].indexInPool, // the last is IN_SPEC_MV
+        return std::make_pair(pass->resources[readNum - 2].indexInPool,             // the last is IN_SPEC_MV
                               pass->resources[pass->resourcesNum - 2].indexInPool); // the last is the overlay's
     };
     const auto first = track(0), second = track(0);

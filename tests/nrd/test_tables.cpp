@@ -183,9 +183,8 @@ TEST_CASE("every texture of a variant is bound by a pass, and only ping-pong tex
 TEST_CASE("a texture read at other pixels is not written by the same pass", "[unit]")
 {
     // Two passes read and write one place, each invocation its own texel.
-    const std::set<std::pair<std::string, std::string>> inPlace = {{"Temporal accumulation", "Scratch"},
-                                                                   {"Temporal accumulation", "Signals"},
-                                                                   {"Accumulate", "Mean"}};
+    const std::set<std::pair<std::string, std::string>> inPlace = {
+        {"Temporal accumulation", "Scratch"}, {"Temporal accumulation", "Signals"}, {"Accumulate", "Mean"}};
     for (const Case& c : allCases())
     {
         INFO(c.text);

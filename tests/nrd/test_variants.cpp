@@ -76,7 +76,7 @@ TEST_CASE("a lobe with two signals has two of everything that exists per signal"
 {
     const Program sh = expandOf(Denoiser::REBLUR_DIFFUSE_SH);
     CHECK(formatsOf(sh, "Signals") == Formats{Format::RGBA16_SFLOAT, Format::A2B10G10R10_UNORM_PACK32});
-    CHECK(formatsOf(sh, "Scratch").empty()); // its signals change places instead
+    CHECK(formatsOf(sh, "Scratch").empty());                         // its signals change places instead
     CHECK(formatsOf(sh, "FastTemp") == Formats{Format::R16_SFLOAT}); // still one lobe
     const Pass& prePass = passOf(sh, "Pre-pass");
     CHECK(count(prePass.reads, ResourceType::IN_DIFF_SH0) == 1);

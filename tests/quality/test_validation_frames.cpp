@@ -103,8 +103,8 @@ TEST_CASE("every denoiser shows the lobes it has", "[gpu]")
         }
         const auto grey = [&](double h) { return onSurfaces(frame, [=](size_t) { return toBytes(glm::dvec3(h)); }); };
         const bool isRelax = std::string_view(nrd::toString(row.denoiser)).starts_with("RELAX");
-        const double longest = isRelax ? nrd::RelaxSettings().diffuseMaxAccumulatedFrameNum
-                                       : nrd::ReblurSettings().maxAccumulatedFrameNum;
+        const double longest =
+            isRelax ? nrd::RelaxSettings().diffuseMaxAccumulatedFrameNum : nrd::ReblurSettings().maxAccumulatedFrameNum;
         const auto length = [&](const OverlayPixel& p)
         {
             if (p.inView.y >= kLegendTop) return rainbowBytes(p.uv.x);

@@ -119,12 +119,7 @@ template <uint32_t Step> constexpr PassRow atrous(const char* name)
 constexpr PassRow kPasses[] = {
     {"Classify tiles", Shader::ClassifyTiles, {ViewZ, Motion, PrevViewZ}, {Tiles}, kTile, isDenoised},
     {"Detect cut", Shader::DetectCut, {Tiles}, {Cut}, kOneGroup, runsCutDetection, {}, kOneTexel},
-    {"Firefly cap",
-     kFireflyCap,
-     {Tiles, ViewZ, kEachInput, kCut, prev(Spread)},
-     {Cap, Spread},
-     kTile,
-     runsFireflyCap},
+    {"Firefly cap", kFireflyCap, {Tiles, ViewZ, kEachInput, kCut, prev(Spread)}, {Cap, Spread}, kTile, runsFireflyCap},
     {"Pre-pass",
      kPrePass,
      {Tiles, ViewZ, NormalRoughness, kEachInput, optional(runsFireflyCap, Cap)},
