@@ -19,8 +19,8 @@ struct Neighbour
     Guide guide;
     bool isInRange;
     float distance; // from the centre's plane, world units
-    float cosine;   // between the normals
-    float seen;     // between the directions of view
+    float turned;   // between the normals, square of the chord
+    float seen;     // likewise between the directions of view
 };
 
 Neighbour makeNeighbour(Pixel p, ivec2 pixel, float viewZ, Guide guide)
@@ -30,9 +30,11 @@ Neighbour makeNeighbour(Pixel p, ivec2 pixel, float viewZ, Guide guide)
     other.guide = guide;
     other.isInRange = isInRange(viewZ);
     other.distance = abs(dot(p.Nv, Xv - p.Xv));
-    other.cosine = dot(p.guide.N, guide.N);
+    vec3 turn = guide.N - p.guide.N;
+    other.turned = dot(turn, turn);
     // Seen from farther back, it changes less.
-    other.seen = g.cameraDelta.w == 0.0 ? dot(p.Vv, -normalize(Xv + g.relaxViewRelaxation * p.Xv)) : 1.0;
+    vec3 shift = p.Vv + normalize(Xv + g.relaxViewRelaxation * p.Xv);
+    other.seen = g.cameraDelta.w == 0.0 ? dot(shift, shift) : 0.0;
     return other;
 }
 
@@ -41,7 +43,7 @@ float tapWeight(Pixel p, Lobe lobe, bool isSpecular, Neighbour other, Stops stop
     if (!other.isInRange || !isSameMaterial(p.guide.materialID, other.guide.materialID, lobe.minMaterial)) return 0.0;
     float weight = soft(other.distance * stops.plane);
     // What is reflected changes with the view as well.
-    weight *= soft(acosApprox(isSpecular ? min(other.cosine, other.seen) : other.cosine) * stops.normal);
+    weight *= soft(sqrt(isSpecular ? max(other.turned, other.seen) : other.turned) * stops.normal);
     if (isSpecular) weight *= soft(abs(other.guide.roughness - p.guide.roughness) * stops.roughness);
     return weight;
 }
