@@ -41,7 +41,7 @@ float reconstructionWeight(Pixel p, Lobe lobe, bool isSpecular, ivec2 pixel, vec
     Guide guide = decodeGuide(texelFetch(gIn_NormalRoughness, guideTexel(pixel), 0));
     float angle = max(atan(lobeTangent(lobe.roughness, 0.75)), normalEncodingError(kNormalEncoding));
     float weight = exp(-0.66 * 0.25 * dot(offset, offset));
-    weight *= heavy(acosApprox(dot(p.guide.N, guide.N)) / angle);
+    weight *= heavy(angleBetween(p.guide.N, guide.N) / angle);
     weight *= soft(planeDistance(p, vec2(pixel), viewZ));
     float m = square(p.guide.roughness);
     if (isSpecular) weight *= heavy(abs(square(guide.roughness) - m) / mix(0.01, 1.0, m));

@@ -1,26 +1,11 @@
-// Shared by the passes of REBLUR and RELAX: constants, permutation switches, reading of guides, and the factors of the
-// methods.
+// Shared by the passes of REBLUR and RELAX: reading of guides, and the factors of the methods.
 #ifndef DENOISER_GLSL
 #define DENOISER_GLSL
 #include "variant.glsl"
-#include "bindings.h"
-#include "denoiser_constants.h"
 #include "math.glsl"
 #include "geometry.glsl"
 #include "nrd_frontend.glsl"
-
-layout(constant_id = SPEC_NORMAL_ENCODING) const int kNormalEncoding = NRD_NORMAL_R10G10B10A2_UNORM;
-layout(constant_id = SPEC_ROUGHNESS_ENCODING) const int kRoughnessEncoding = NRD_ROUGHNESS_LINEAR;
-layout(constant_id = SPEC_HAS_PREPASS) const bool kHasPrepass = true;
-layout(constant_id = SPEC_HAS_STABILIZATION) const bool kHasStabilization = true;
-layout(constant_id = SPEC_HAS_MATERIAL_TEST) const bool kHasMaterialTest = false;
-layout(constant_id = SPEC_HAS_CONFIDENCE) const bool kHasConfidence = false;
-layout(constant_id = SPEC_HAS_DISOCCLUSION_MIX) const bool kHasDisocclusionMix = false;
-layout(constant_id = SPEC_HAS_ANTI_FIREFLY) const bool kHasAntiFirefly = true;
-
-layout(set = SET_CONSTANTS, binding = BINDING_CONSTANTS, std140) uniform Constants { DenoiserConstants g; };
-layout(set = SET_CONSTANTS, binding = BINDING_SAMPLERS) uniform sampler gNearestClamp;
-layout(set = SET_CONSTANTS, binding = BINDING_SAMPLERS + 1) uniform sampler gLinearClamp;
+#include "denoiser_bindings.glsl"
 
 const int kSpecularChannel = LOBE_NUM - 1; // of textures that hold one scalar per lobe; diffuse is channel 0
 const float kTrackingMax = 65000.0; // hit distances are stored in half floats

@@ -146,7 +146,7 @@ Tap readTap(texture2D viewZs, texture2D normals, Pixel p, Lobe lobe, bool isSpec
     // A folded tap keeps weight 1: at borders it stands for several that are missing.
     if (mayFold && given.position != place.position) gaussian = 1.0;
     tap.weight = isAccepted ? gaussian : 0.0;
-    tap.weight *= soft(acosApprox(dot(p.guide.N, tap.guide.N)) * w.normal);
+    tap.weight *= soft(angleBetween(p.guide.N, tap.guide.N) * w.normal);
     tap.weight *= soft(planeDistance(p, tap.position, tap.viewZ));
     if (isSpecular) tap.weight *= soft(abs(tap.guide.roughness - p.guide.roughness) * w.roughness);
     return tap;

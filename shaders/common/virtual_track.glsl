@@ -129,7 +129,7 @@ void testVirtual(Surface s, SurfaceTrack surface, inout VirtualTrack track, out 
 // Angle between two normals against what curvature explains and what the lobe forgives.
 float angleConfidence(vec3 a, vec3 b, float explained, float forgiven)
 {
-    float w = smooth01(1.0 - (acosApprox(dot(a, b)) - explained) / forgiven);
+    float w = smooth01(1.0 - (angleBetween(a, b) - explained) / forgiven);
     return smooth01((w - 0.05) / 0.9); // absorbs encoding error
 }
 

@@ -3,9 +3,11 @@
 #version 460
 #extension GL_EXT_control_flow_attributes : require
 #extension GL_GOOGLE_include_directive : require
-#include "spatial_filter.glsl"
+#include "bindings.h"
 
 layout(constant_id = SPEC_STEP) const int kStep = 0;
+#include "edge_stops.glsl"
+
 layout(constant_id = SPEC_IS_LAST) const bool kIsLast = false;
 
 layout(local_size_x = 8, local_size_y = 16) in;
@@ -89,56 +91,13 @@ Texel texelAt(ivec2 pixel)
     return Texel(sNormalViewZ[i].w, Guide(sNormalViewZ[i].xyz, sRoughnessMaterial[i].x, uint(sRoughnessMaterial[i].y)));
 }
 
-struct Stops
-{
-    float normal;    // 1 / radians
-    float roughness; // 1 / roughness, 0 for diffuse
-    float plane;     // 1 / world units
-    float luma;      // 1 / luma
-    float maxLuma;   // cap of the exponent
-    float relax;     // of the luma stop
-};
-
 // Variance of what is stored, not of a sample: a mean of n samples has an n-th of it.
 float varianceOf(Signal s) { return s.value.w * square(luma(s)); }
-
-// What both lobes ask of a neighbour.
-struct Neighbour
-{
-    Guide guide;
-    bool isInRange;
-    float distance; // from the centre's plane, world units
-    float cosine;   // between the normals
-    float seen;     // between the directions of view
-};
 
 Neighbour readNeighbour(Pixel p, ivec2 pixel)
 {
     Texel texel = texelAt(pixel);
-    vec3 Xv = reconstructViewPosition(pixelUv(pixel), g.frustum, texel.viewZ, g.cameraDelta.w);
-    Neighbour other;
-    other.guide = texel.guide;
-    other.isInRange = isInRange(texel.viewZ);
-    other.distance = abs(dot(p.Nv, Xv - p.Xv));
-    other.cosine = dot(p.guide.N, other.guide.N);
-    // Seen from farther back, it changes less.
-    other.seen = g.cameraDelta.w == 0.0 ? dot(p.Vv, -normalize(Xv + g.relaxViewRelaxation * p.Xv)) : 1.0;
-    return other;
-}
-
-float tapWeight(Pixel p, Lobe lobe, bool isSpecular, Neighbour other, Stops stops)
-{
-    if (!other.isInRange || !isSameMaterial(p.guide.materialID, other.guide.materialID, lobe.minMaterial)) return 0.0;
-    float weight = soft(other.distance * stops.plane);
-    // What is reflected changes with the view as well.
-    weight *= soft(acosApprox(isSpecular ? min(other.cosine, other.seen) : other.cosine) * stops.normal);
-    if (isSpecular) weight *= soft(abs(other.guide.roughness - p.guide.roughness) * stops.roughness);
-    return weight;
-}
-
-float lumaStop(float centre, float other, Stops stops)
-{
-    return exp(-min(abs(other - centre) * stops.luma, stops.maxLuma) * stops.relax);
+    return makeNeighbour(p, pixel, texel.viewZ, texel.guide);
 }
 
 // Of the centre; smoothed over 3x3, since a variance of few samples is noise itself.
@@ -173,29 +132,6 @@ float spatialVariance(texture2D t, Pixel p, Lobe lobe, bool isSpecular, ivec2 po
     }
     mean /= max(weightSum, kEps);
     return max(square_ / max(weightSum, kEps) - mean * mean, 0.0);
-}
-
-// doubt: the application's about the history, [0; 1].
-Stops makeStops(Pixel p, Lobe lobe, bool isSpecular, float n, float confidence, float doubt)
-{
-    float step = float(1 << kStep);
-    float share = (kIsSh ? 1.0 : g.relaxLobeAngle) / sqrt(step);
-    share = mix(share, 0.99, saturate(doubt * g.relaxDoubt.z));
-    // Short histories have more to gain from a wide cone than to lose.
-    float settled = saturate(n / 5.0);
-    Stops stops;
-    float cone = isSpecular ? atan(lobeTangent(lobe.roughness, g.relaxLobeAngle)) * (10.0 - 9.0 * settled *
-                                  mix(1.0, confidence, g.relaxEdgeRelaxation.y)) + g.relaxLobeAngleSlack
-                            : atan(lobeTangent(1.0, mix(0.99, share, settled)));
-    stops.normal = 1.0 / clamp(cone, normalEncodingError(kNormalEncoding), 1.5708);
-    float admissible = mix(0.01, 1.0, saturate(lobe.roughness * g.roughnessFraction));
-    stops.roughness = isSpecular && g.relaxRoughnessStop != 0u ? 1.0 / admissible : 0.0;
-    stops.plane = 1.0 / (g.relaxDepthThreshold * p.viewZ);
-    stops.maxLuma = isSpecular ? g.relaxMaxLumaStop.y : g.relaxMaxLumaStop.x;
-    stops.relax = isSpecular && kStep <= 2 ? mix(1.0, confidence, g.relaxEdgeRelaxation.x) : 1.0;
-    stops.relax *= 1.0 - saturate(doubt * g.relaxDoubt.y);
-    stops.luma = 0.0;
-    return stops;
 }
 
 // White noise breaks the ringing that a lattice with gaps leaves.

@@ -172,8 +172,9 @@ float fixTapWeight(Pixel p, Lobe lobe, bool isSpecular, ivec2 pixel, Weights w)
 {
     float viewZ = decodeViewZ(texelFetch(gIn_ViewZ, guideTexel(pixel), 0).x);
     Guide guide = decodeGuide(texelFetch(gIn_NormalRoughness, guideTexel(pixel), 0));
-    float weight = soft(planeDistance(p, vec2(pixel), viewZ)), cosine = dot(p.guide.N, guide.N);
-    weight *= isSpecular ? heavy(acosApprox(cosine) * w.normal) : pow(max(cosine, 0.01), g.relaxFixNormalPower);
+    float weight = soft(planeDistance(p, vec2(pixel), viewZ));
+    weight *= isSpecular ? heavy(angleBetween(p.guide.N, guide.N) * w.normal)
+                         : pow(max(dot(p.guide.N, guide.N), 0.01), g.relaxFixNormalPower);
     if (isSpecular) weight *= soft(abs(guide.roughness - p.guide.roughness) * w.roughness);
     bool isUsed = isInRange(viewZ) && isSameMaterial(p.guide.materialID, guide.materialID, lobe.minMaterial);
     return isUsed ? weight : 0.0;

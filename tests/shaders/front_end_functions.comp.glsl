@@ -4,6 +4,19 @@
 #include "interface.glsl"
 #include "nrd_frontend.glsl"
 
+// As storing in a texture and reading it does.
+vec4 quantized(vec4 v, vec4 steps, bool isSigned)
+{
+    return floor(clamp(v, isSigned ? -1.0 : 0.0, 1.0) * steps + 0.5) / steps;
+}
+
+vec4 normalRoundTrip(Arguments v, out float material)
+{
+    vec4 packed = NRD_PackNormalAndRoughness(v.a.xyz, v.a.w, v.b.x, int(v.b.y), int(v.b.z));
+    packed = quantized(packed, vec4(v.c.xxx, v.c.y), v.c.z != 0.0);
+    return NRD_UnpackNormalAndRoughness(packed, int(v.b.y), int(v.b.z), material);
+}
+
 Results evaluate(Arguments v)
 {
     Results r = Results(vec4(0.0), vec4(0.0));
@@ -14,6 +27,7 @@ Results evaluate(Arguments v)
         r.second = NRD_FrontEnd_PackNormalAndRoughness(v.a.xyz, v.a.w, v.b.x);
         break;
     case FN_UNPACK_NORMAL: r.first = NRD_UnpackNormalAndRoughness(v.a, int(v.b.y), int(v.b.z), r.second.x); break;
+    case FN_NORMAL_ROUND_TRIP: r.first = normalRoundTrip(v, r.second.x); break;
     case FN_YCOCG: r.first.xyz = NRD_LinearToYCoCg(v.a.xyz); break;
     case FN_FROM_YCOCG: r.first.xyz = NRD_YCoCgToLinear(v.a.xyz); break;
     case FN_LOBE_SPREAD: r.first.x = NRD_GetLobeSpread(v.a.x, v.a.y); break;

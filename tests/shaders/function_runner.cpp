@@ -19,6 +19,7 @@ std::unique_ptr<rhi::Buffer> makeBuffer(size_t byteSize, rhi::BufferMemory memor
 
 Shader shaderOf(int function)
 {
+    if (function >= FN_FIRST_OF_PASSES) return Shader::PassFunctions;
     if (function >= FN_FIRST_OF_SHADOW_PACKING) return Shader::ShadowPackingFunctions;
     if (function >= FN_FIRST_OF_SHADOW) return Shader::ShadowFunctions;
     if (function >= FN_FIRST_OF_RESOLVE) return Shader::ResolveFunctions;
@@ -29,7 +30,8 @@ std::unique_ptr<rhi::Pipeline> makePipeline(int function)
 {
     const ShaderBlob blob = shaderBlob(shaderOf(function));
     const rhi::BindingDesc bindings[] = {{0, 0, rhi::BindingType::StorageBuffer},
-                                         {0, 1, rhi::BindingType::StorageBuffer}};
+                                         {0, 1, rhi::BindingType::StorageBuffer},
+                                         {0, 2, rhi::BindingType::StorageBuffer}};
     const rhi::SpecConstant constants[] = {{0, static_cast<uint32_t>(function)}};
     rhi::PipelineDesc desc;
     desc.spirv = {blob.words, blob.byteSize / 4};
@@ -40,24 +42,31 @@ std::unique_ptr<rhi::Pipeline> makePipeline(int function)
 }
 } // namespace
 
-std::vector<Results> runFunction(int function, const std::vector<Arguments>& arguments)
+std::vector<Results> runFunction(int function, const std::vector<Arguments>& arguments,
+                                 std::span<const nrd::shared::DenoiserConstants> frames)
 {
     const size_t count = arguments.size();
+    const nrd::shared::DenoiserConstants none = {};
+    if (frames.empty()) frames = {&none, 1};
     const auto in = makeBuffer(count * sizeof(Arguments), rhi::BufferMemory::Upload);
     const auto out = makeBuffer(count * sizeof(Results), rhi::BufferMemory::Readback);
+    const auto constants = makeBuffer(frames.size_bytes(), rhi::BufferMemory::Upload);
     std::memcpy(in->mapped(), arguments.data(), count * sizeof(Arguments));
+    std::memcpy(constants->mapped(), frames.data(), frames.size_bytes());
     const auto pipeline = makePipeline(function);
     rhi::DescriptorPoolDesc poolDesc;
     poolDesc.sets = 1;
-    poolDesc.storageBuffers = 2;
+    poolDesc.storageBuffers = 3;
     const auto pool = test::validatedDevice().createDescriptorPool(poolDesc);
     rhi::DescriptorSet& set = pool->allocate(*pipeline, 0);
-    rhi::DescriptorWrite writes[2];
-    writes[0].buffer = in.get();
-    writes[0].size = in->desc().size;
-    writes[1].binding = 1;
-    writes[1].buffer = out.get();
-    writes[1].size = out->desc().size;
+    rhi::DescriptorWrite writes[3];
+    rhi::Buffer* const buffers[] = {in.get(), out.get(), constants.get()};
+    for (uint32_t i = 0; i < 3; i++)
+    {
+        writes[i].binding = i;
+        writes[i].buffer = buffers[i];
+        writes[i].size = buffers[i]->desc().size;
+    }
     set.write(writes);
     const auto commands = test::validatedDevice().createCommandBuffer("functions");
     commands->begin();

@@ -1,7 +1,9 @@
 // Runs one GLSL function over many arguments on the device.
 #pragma once
+#include "denoiser_constants.h"
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace nrdtest
@@ -18,7 +20,9 @@ struct Results
     Vec4 first{}, second{};
 };
 
-// function: a number of functions.h. Any validation message of the device fails the running test case.
-std::vector<Results> runFunction(int function, const std::vector<Arguments>& arguments);
+// function: a number of functions.h. frames: what the functions of passes index. Any validation message of the device
+// fails the running test case.
+std::vector<Results> runFunction(int function, const std::vector<Arguments>& arguments,
+                                 std::span<const nrd::shared::DenoiserConstants> frames = {});
 Results runFunction(int function, const Arguments& arguments);
 } // namespace nrdtest

@@ -54,7 +54,7 @@ Results evaluate(Arguments v)
     Results r = Results(vec4(0.0), vec4(0.0));
     switch (kFunction)
     {
-    case FN_FALLOFFS: r.first = vec4(soft(v.a.x), heavy(v.a.x), smooth01(v.a.x), acosApprox(v.a.x)); break;
+    case FN_FALLOFFS: r.first = vec4(soft(v.a.x), heavy(v.a.x), smooth01(v.a.x), 0.0); break;
     case FN_RAMP: r.first.x = ramp(v.a.x, v.a.y, v.a.z); break;
     case FN_DOMINANT_FACTOR: r.first.x = dominantFactor(v.a.x, v.a.y); break;
     case FN_DOMINANT_DIRECTION:
@@ -74,6 +74,15 @@ Results evaluate(Arguments v)
         break;
     }
     case FN_CATMULL_ROM: r.first = catmullRomCentre(makeCatmullRom(v.a.xy, vec2(1.0)), r.second.x); break;
+    case FN_CATMULL_ROM_WEIGHTS:
+    {
+        CatmullRom c = makeCatmullRom(v.a.xy, vec2(1.0));
+        r.first = vec4(c.weights[0], c.weights[1], c.weights[2], c.weights[3]);
+        r.second = vec4(c.weights[4], c.xTaps.y, c.yTaps.y, 0.0);
+        break;
+    }
+    case FN_ROUND_TO_HALF: r.first = roundToHalf(v.a); break;
+    case FN_NORMAL_ANGLE: r.first.x = angleBetween(v.a.xyz, v.b.xyz); break;
     case FN_TANGENT_BASIS: tangentBasis(v.a.xyz, r.first.xyz, r.second.xyz); break;
     case FN_PROJECT:
     {

@@ -2,37 +2,15 @@
 #include "catch.h"
 #include "function_runner.h"
 #include "functions.h"
-#include "reference_lobes.h"
-#include <algorithm>
+#include "lobes.h"
 #include <cmath>
 #include <cstring>
 #include <limits>
-#include <random>
 
 using namespace nrdtest;
 
 namespace
 {
-// Rounds as storing in a texture of this encoding does.
-float quantize(float value, float steps, bool isSigned)
-{
-    const float low = isSigned ? -1.0f : 0.0f;
-    return std::round(std::clamp(value, low, 1.0f) * steps) / steps;
-}
-
-struct Encoding
-{
-    int number;
-    float steps;
-    bool isSigned;
-    double maxAngle; // radians, of a round trip
-};
-
-constexpr Encoding kEncodings[] = {
-    {0, 255.0f, false, 1.5 / 255},   {1, 127.0f, true, 1.5 / 255},   {2, 1023.0f, false, 0.75 / 255},
-    {3, 65535.0f, false, 0.4 / 255}, {4, 32767.0f, true, 0.4 / 255},
-};
-
 float floatFromBits(uint32_t bits)
 {
     float value;
@@ -72,67 +50,6 @@ TEST_CASE("the published texels decode to the published normals and roughness", 
     const double expected[] = {0.60088, 0.0, 0.79934, 0.24927};
     for (size_t i = 0; i < 4; i++) CHECK(r.first[i] == Approx(expected[i]).margin(1e-5));
     CHECK(r.second[0] == 3.0f);
-}
-
-TEST_CASE("every normal encoding returns direction, roughness and material within its quantisation", "[gpu]")
-{
-    std::mt19937 rng(1);
-    std::uniform_real_distribution<float> unit(0.0f, 1.0f);
-    for (const Encoding& encoding : kEncodings)
-    {
-        std::vector<Arguments> in;
-        for (int i = 0; i < 2000; i++)
-        {
-            const Vec3d n = randomDirection(rng);
-            in.push_back(
-                {{static_cast<float>(n[0]), static_cast<float>(n[1]), static_cast<float>(n[2]), unit(rng)},
-                 {static_cast<float>(i % 4), static_cast<float>(encoding.number), static_cast<float>(i % 3), 0}});
-        }
-        std::vector<Arguments> stored = in;
-        const std::vector<Results> packed = runFunction(FN_PACK_NORMAL, in);
-        for (size_t i = 0; i < in.size(); i++)
-        {
-            for (int c = 0; c < 4; c++)
-                stored[i].a[c] = quantize(packed[i].first[c], c == 3 && encoding.number == 2 ? 3.0f : encoding.steps,
-                                          encoding.isSigned);
-        }
-        const std::vector<Results> unpacked = runFunction(FN_UNPACK_NORMAL, stored);
-        double worstAngle = 0.0, worstRoughness = 0.0;
-        for (size_t i = 0; i < in.size(); i++)
-        {
-            double dot = 0.0, len = 0.0;
-            for (int c = 0; c < 3; c++)
-            {
-                dot += double(in[i].a[c]) * unpacked[i].first[c];
-                len += double(unpacked[i].first[c]) * unpacked[i].first[c];
-            }
-            CHECK(std::abs(len - 1.0) < 1e-5);
-            worstAngle = std::max(worstAngle, std::acos(std::min(dot / std::sqrt(len), 1.0)));
-            // Compared in the stored domain, where quantisation is uniform.
-            const auto stretch = [&](double r) { return i % 3 == 0 ? r * r : i % 3 == 2 ? std::sqrt(r) : r; };
-            worstRoughness = std::max(worstRoughness, std::abs(stretch(in[i].a[3]) - stretch(unpacked[i].first[3])));
-            if (encoding.number == 2) CHECK(unpacked[i].second[0] == in[i].b[0]);
-        }
-        INFO("encoding " << encoding.number << ": " << worstAngle << " rad, roughness " << worstRoughness);
-        CHECK(worstAngle < encoding.maxAngle);
-        CHECK(worstRoughness <= (encoding.number == 2 ? 1.5 / 512 : 0.51 / static_cast<double>(encoding.steps)) + 1e-5);
-    }
-}
-
-TEST_CASE("YCoCg is invertible and never negative", "[gpu]")
-{
-    std::mt19937 rng(2);
-    std::uniform_real_distribution<float> value(0.0f, 250.0f);
-    for (int i = 0; i < 20; i++)
-    {
-        const Vec4 rgb = {value(rng), value(rng), value(rng), 0.0f};
-        const Results forth = runFunction(FN_YCOCG, {rgb});
-        CHECK(forth.first[0] == Approx(0.25 * rgb[0] + 0.5 * rgb[1] + 0.25 * rgb[2]).epsilon(1e-5));
-        const Results back = runFunction(FN_FROM_YCOCG, {forth.first});
-        for (int c = 0; c < 3; c++) CHECK(back.first[c] == Approx(rgb[c]).margin(1e-3));
-    }
-    const Results negative = runFunction(FN_FROM_YCOCG, {Vec4{0.1f, 5.0f, -3.0f, 0.0f}});
-    for (int c = 0; c < 3; c++) CHECK(negative.first[c] >= 0.0f);
 }
 
 TEST_CASE("lobe spread and hit-distance normalisation match the published values", "[gpu]")

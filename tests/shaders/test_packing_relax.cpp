@@ -2,7 +2,7 @@
 #include "catch.h"
 #include "function_runner.h"
 #include "functions.h"
-#include "reference_lobes.h"
+#include "packing.h"
 #include <limits>
 
 using namespace nrdtest;
@@ -14,13 +14,9 @@ const float kInf = std::numeric_limits<float>::infinity();
 
 Vec4 packed(Vec3d v, float w) { return {float(v[0]), float(v[1]), float(v[2]), w}; }
 
-// The luma of the lobe record, YCoCg's.
-double luma(const Vec4& rgb) { return 0.25 * rgb[0] + 0.5 * rgb[1] + 0.25 * rgb[2]; }
+double luma(const Vec4& rgb) { return toYCoCg({rgb[0], rgb[1], rgb[2]}).x; }
 
-Vec4 yCoCg(const Vec4& rgb)
-{
-    return {float(luma(rgb)), 0.5f * (rgb[0] - rgb[2]), 0.5f * rgb[1] - 0.25f * (rgb[0] + rgb[2]), rgb[3]};
-}
+Vec4 yCoCg(const Vec4& rgb) { return packed(toYCoCg({rgb[0], rgb[1], rgb[2]}), rgb[3]); }
 
 std::vector<Arguments> randomLobes(uint32_t seed)
 {

@@ -2,7 +2,7 @@
 #include "catch.h"
 #include "function_runner.h"
 #include "functions.h"
-#include "reference_lobes.h"
+#include "lobes.h"
 
 using namespace nrdtest;
 
@@ -65,7 +65,7 @@ Vec3d rechromaed(const Configuration& c, double luma)
 void checkColor(const Configuration& c, const Results& r, double luma)
 {
     const Vec3d expected = rechromaed(c, luma);
-    for (size_t i = 0; i < 3; i++) CHECK(r.first[i] == Approx(expected[i]).epsilon(2e-4).margin(1e-5 * c.c0));
+    for (int i = 0; i < 3; i++) CHECK(r.first[i] == Approx(expected[i]).epsilon(2e-4).margin(1e-5 * c.c0));
 }
 } // namespace
 
@@ -90,7 +90,7 @@ TEST_CASE("the dominant direction turns from mirror to normal by the published f
         const Vec3d n = {0, 0, 1}, v = {std::sqrt(1.0 - row[1] * row[1]), 0, row[1]};
         const Vec3d expected = normalized({-row[2] * v[0], 0, lerp(1.0, v[2], row[2])});
         const Results r = runFunction(FN_DOMINANT, {Vec4{}, Vec4{}, packed(n, row[0]), packed(v)});
-        for (size_t i = 0; i < 3; i++) CHECK(r.first[i] == Approx(expected[i]).margin(1e-5));
+        for (int i = 0; i < 3; i++) CHECK(r.first[i] == Approx(expected[i]).margin(1e-5));
     }
 }
 

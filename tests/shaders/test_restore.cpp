@@ -2,7 +2,7 @@
 #include "catch.h"
 #include "function_runner.h"
 #include "functions.h"
-#include "reference_lobes.h"
+#include "lobes.h"
 #include <limits>
 
 using namespace nrdtest;

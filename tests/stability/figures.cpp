@@ -2,17 +2,10 @@
 #include "catch.h"
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <utility>
 
 namespace stability
 {
-bool isLong()
-{
-    const char* value = std::getenv("NRD_TEST_LONG");
-    return value && *value;
-}
-
 Figure::Figure(std::string what, std::string unit, double bound)
     : m_what(std::move(what)), m_unit(std::move(unit)), m_bound(bound)
 {

@@ -1,11 +1,12 @@
 // One line of the table of figures: what was measured, the denoiser that did worst, and the bound.
 #pragma once
+#include "long_form.h"
 #include <nrd/nrd.h>
 #include <string>
 
 namespace stability
 {
-bool isLong(); // NRD_TEST_LONG in the environment
+using test::isLong;
 
 class Figure
 {
