@@ -29,7 +29,7 @@ struct BlurPass
 };
 
 // Where the history has settled, four taps of equal weight do as well as eight.
-const float kSettled = 0.15; // convergence of about 11 frames
+const float kSettled = 0.15; // convergence of about 16 frames
 const float kSettledRadius = 0.8;
 
 struct Sum
