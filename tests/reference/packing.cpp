@@ -50,6 +50,19 @@ Vec4d packDirectional(const Vec3d& direction, double normHitDist, bool sanitize)
     return Vec4d(packDirection(direction, normHitDist, sanitize), normHitDist);
 }
 
+Vec4d sanitizedInput(const Vec4d& signal)
+{
+    if (!isFinite(Vec3d(signal)) || !std::isfinite(signal.w)) return Vec4d(0.0);
+    return Vec4d(toYCoCg(glm::clamp(Vec3d(signal), 0.0, kHalfMax)), std::clamp(signal.w, 0.0, kHalfMax));
+}
+
+Vec3d sanitizedAxis(const Vec3d& sh1, double luma)
+{
+    if (!isFinite(sh1)) return Vec3d(0.0);
+    const Vec3d axis = glm::clamp(sh1, -kHalfMax, kHalfMax);
+    return axis * std::min(1.0, luma / std::max(glm::length(axis), 1e-10));
+}
+
 double encodeRoughness(double roughness, int roughnessEncoding)
 {
     const double r = saturated(roughness);

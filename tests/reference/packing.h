@@ -17,6 +17,10 @@ Vec4d packDirectional(const Vec3d& direction, double normHitDist, bool sanitize)
 // SH1 of either family.
 Vec3d packDirection(const Vec3d& direction, double luma, bool sanitize);
 
+// Of what an application hands to RELAX, however it was packed: what is not finite is no sample.
+Vec4d sanitizedInput(const Vec4d& signal);
+Vec3d sanitizedAxis(const Vec3d& sh1, double luma); // no longer than the luma
+
 // A guide's format, index is NormalEncoding.
 struct NormalFormat
 {

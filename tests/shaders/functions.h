@@ -87,6 +87,7 @@
 #define FN_ROUGHNESS_WEIGHT 408 // a = roughness, other, fraction, sensitivity
 #define FN_ANGLE_CONFIDENCE 409 // a.xyz, b.xyz normals, c.x explained, c.y forgiven
 #define FN_HIT_DIST_WEIGHT 410  // a = centre, other, 1 / width, least
+#define FN_SANITIZE 412         // a = radiance, hitDist, b.xyz SH1 -> as denoised; axis
 #define FN_NORMAL_CUTOFF 411    // a = roughness, narrowing
 
 #endif

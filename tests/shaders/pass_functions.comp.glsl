@@ -94,6 +94,13 @@ Results evaluate(Arguments v)
     case FN_ROUGHNESS_WEIGHT: r.first.x = roughnessWeight(v.a.x, v.a.y, v.a.z, v.a.w); break;
     case FN_ANGLE_CONFIDENCE: r.first.x = angleConfidence(v.a.xyz, v.b.xyz, v.c.x, v.c.y); break;
     case FN_HIT_DIST_WEIGHT: r.first.x = hitDistWeight(Weights(0.0, 0.0, v.a.z, v.a.w), v.a.x, v.a.y); break;
+    case FN_SANITIZE:
+    {
+        bool isValid;
+        r.first = sanitize(v.a, isValid);
+        r.second = vec4(sanitizeAxis(v.b.xyz, r.first.x), isValid);
+        break;
+    }
     case FN_NORMAL_CUTOFF: r.first.x = normalCutoff(v.a.x, v.a.y); break;
     }
     return r;

@@ -175,6 +175,20 @@ const Sweep kSweeps[] = {
          for (int i = 0; i < 4; i++) worst = std::max(worst, ulps(out.first[i], expected[i]));
          return worst;
      }},
+    {"radiance as RELAX reads it, of anything", "ulp of the largest channel", 1.0, "two sums of half an ulp",
+     FN_SANITIZE, drawSample,
+     [](const Arguments& in, const Results& out)
+     {
+         const Vec4d expected = sanitizedInput(toVec4d(in.a));
+         return ulps(out.first, expected, std::max(largest(glm::clamp(toDouble(in.a), 0.0, 65504.0)), expected.w), 4);
+     }},
+    {"axes as they are read, of anything", "ulp of the luma and the axis", 8.0,
+     "a dot product under a root of 2 ulp, two products", FN_SANITIZE, drawSample,
+     [](const Arguments& in, const Results& out)
+     {
+         const Vec3d expected = sanitizedAxis(toDouble(in.b), out.first[0]);
+         return ulps(out.second, Vec4d(expected, 0.0), glm::length(expected), 3);
+     }},
     {"rounding to half floats, of anything finite", "ulp of a float", 0.0, "exact", FN_ROUND_TO_HALF,
      [](Random& random) {
          return Arguments{{random.signal(1e-9, 1e6), random.signal(1e-6, 1e-4)}};
