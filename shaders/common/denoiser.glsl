@@ -17,6 +17,11 @@ const float kTrackingMax = 65000.0; // hit distances are stored in half floats
 bool isInRange(float viewZ) { return viewZ < g.denoisingRange; }
 bool isInRect(ivec2 pixel) { return all(lessThanEqual(pixel, g.rectSizeMinusOne)); }
 ivec2 clampToRect(ivec2 pixel) { return clamp(pixel, ivec2(0), g.rectSizeMinusOne); }
+ivec2 mirrorPixel(ivec2 pixel)
+{
+    pixel = abs(pixel);
+    return clampToRect(min(pixel, 2 * g.rectSizeMinusOne - pixel));
+}
 ivec2 guideTexel(ivec2 pixel) { return pixel + g.rectOrigin; }
 vec2 pixelUv(ivec2 pixel) { return (vec2(pixel) + 0.5) * g.rectSizeInv; }
 

@@ -3,11 +3,9 @@
 #ifndef FAST_HISTORY_GLSL
 #define FAST_HISTORY_GLSL
 #include "spatial_filter.glsl"
+#include "luma_window.glsl"
 
-const int kRadius = 2; // of every window
-const ivec2 kHalo = ivec2(8 + 2 * kRadius, 16 + 2 * kRadius);
 const float kAntiFireflySigmaScale = 2.6;
-const float kInvalid = -1.0; // lumas are not negative
 
 // A group may hold only a small share of a multiprocessor's shared memory, or too few of them run side by side to hide
 // latencies. So lumas are kept as the half floats they are stored as; both lobes in one word.
@@ -23,18 +21,6 @@ vec2 slowAt(ivec2 at) { return unpackHalf2x16(sSlow[at.y][at.x]); }
 void storeFast(ivec2 at, vec2 lumas) { sFast[at.y][at.x] = packHalf2x16(lumas); }
 void storeSlow(ivec2 at, vec2 lumas) { sSlow[at.y][at.x] = packHalf2x16(lumas); }
 #endif
-
-vec2 slowLumas(ivec2 pixel)
-{
-    vec2 lumas = vec2(0.0);
-#if HAS_DIFFUSE
-    lumas.x = texelFetch(gIn_Diffuse, pixel, 0).x;
-#endif
-#if HAS_SPECULAR
-    lumas[kSpecularChannel] = texelFetch(gIn_Specular, pixel, 0).x;
-#endif
-    return lumas;
-}
 
 // Unrolled and without a branch, so that all reads are under way at once; the last texel is loaded repeatedly.
 void loadFast(ivec2 group)

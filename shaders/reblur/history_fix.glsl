@@ -17,12 +17,6 @@ vec2 fixAmount(ivec2 position, vec2 n)
     return min(own, sum * (1.0 / 3.0));
 }
 
-ivec2 mirrorPixel(ivec2 pixel)
-{
-    pixel = abs(pixel);
-    return clampToRect(min(pixel, 2 * g.rectSizeMinusOne - pixel));
-}
-
 float fixTapWeight(Pixel p, Lobe lobe, bool isSpecular, ivec2 pixel, Weights w)
 {
     float viewZ = decodeViewZ(texelFetch(gIn_ViewZ, guideTexel(pixel), 0).x);

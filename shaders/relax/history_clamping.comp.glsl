@@ -33,27 +33,14 @@ layout(set = SET_RESOURCES, binding = FIRST_OUT + SIGNAL_NUM + 1) uniform writeo
 layout(set = SET_RESOURCES, binding = FIRST_OUT + SIGNAL_NUM + 2) uniform writeonly image2D gOut_PrevViewZ;
 layout(set = SET_RESOURCES, binding = FIRST_OUT + SIGNAL_NUM + 3) uniform writeonly image2D gOut_PrevNormalRoughness;
 
-const int kRadius = 2;
-const ivec2 kHalo = ivec2(8 + 2 * kRadius, 16 + 2 * kRadius);
-const float kInvalid = -1.0; // lumas are not negative
+#include "luma_window.glsl"
+
 const float kRelitFrameNum = 4.0; // what a mean over 5x5 noisy pixels is worth
 
 // A group may hold only a small share of a multiprocessor's shared memory, or too few of them run side by side to hide
 // latencies. So lumas are kept as the half floats they are stored as.
 shared uvec2 sLumas[kHalo.y][kHalo.x]; // per lobe: fast, noisy
 shared uint sSlow[kHalo.y][kHalo.x];   // both lobes
-
-vec2 slowLumas(ivec2 pixel)
-{
-    vec2 lumas = vec2(0.0);
-#if HAS_DIFFUSE
-    lumas.x = texelFetch(gIn_Diffuse, pixel, 0).x;
-#endif
-#if HAS_SPECULAR
-    lumas[kSpecularChannel] = texelFetch(gIn_Specular, pixel, 0).x;
-#endif
-    return lumas;
-}
 
 // Unrolled and without a branch, so that all reads are under way at once; the last texel is loaded repeatedly.
 void loadLumas(ivec2 group)
@@ -160,12 +147,6 @@ Moments measureLumas()
     vec4 mean = vec4(first.mean, second.mean);
     return Moments(mean, sqrt(vec4(first.squares, second.squares) / 25.0), mean.xz - change.mean,
                    sqrt(change.squares / 25.0));
-}
-
-ivec2 mirrorPixel(ivec2 pixel)
-{
-    pixel = abs(pixel);
-    return clampToRect(min(pixel, 2 * g.rectSizeMinusOne - pixel));
 }
 
 float fixTapWeight(Pixel p, Lobe lobe, bool isSpecular, ivec2 pixel, Weights w)
