@@ -1,52 +1,6 @@
-// Second recurrent blur, wider and stricter, of occlusion, which nothing stabilises: its result is history and output.
+// Second recurrent blur, of occlusion, which nothing stabilises: its result is history and output.
 #version 460
 #extension GL_EXT_control_flow_attributes : require
 #extension GL_GOOGLE_include_directive : require
-#include "spatial_filter.glsl"
-
-layout(local_size_x = 8, local_size_y = 16) in;
-layout(set = SET_RESOURCES, binding = 0) uniform texture2D gIn_Tiles;
-layout(set = SET_RESOURCES, binding = 1) uniform texture2D gIn_ViewZ;
-layout(set = SET_RESOURCES, binding = 2) uniform texture2D gIn_NormalRoughness;
-layout(set = SET_RESOURCES, binding = 3) uniform texture2D gIn_Length;
-#define FIRST_HISTORY (4 + SIGNAL_NUM)
-#define FIRST_OUT (FIRST_HISTORY + SIGNAL_NUM + 1)
-#if HAS_DIFFUSE
-layout(set = SET_RESOURCES, binding = 4) uniform texture2D gIn_Diffuse;
-layout(set = SET_RESOURCES, binding = FIRST_HISTORY) uniform writeonly image2D gOut_DiffuseHistory;
-layout(set = SET_RESOURCES, binding = FIRST_OUT) uniform writeonly image2D gOut_Diffuse;
-#endif
-#if HAS_SPECULAR
-layout(set = SET_RESOURCES, binding = 3 + LOBE_NUM) uniform texture2D gIn_Specular;
-layout(set = SET_RESOURCES, binding = FIRST_HISTORY + LOBE_NUM - 1) uniform writeonly image2D gOut_SpecularHistory;
-layout(set = SET_RESOURCES, binding = FIRST_OUT + LOBE_NUM - 1) uniform writeonly image2D gOut_Specular;
-#endif
-layout(set = SET_RESOURCES, binding = FIRST_HISTORY + SIGNAL_NUM) uniform writeonly uimage2D gOut_PrevLength;
-
-#include "recurrent_blur.glsl"
-
-void main()
-{
-    ivec2 position = ivec2(gl_GlobalInvocationID.xy);
-    if (texelFetch(gIn_Tiles, position / TILE_SIZE, 0).x > 0.5 || !isInRect(position)) return;
-    float viewZ = decodeViewZ(texelFetch(gIn_ViewZ, guideTexel(position), 0).x);
-    if (!isInRange(viewZ)) return;
-    Pixel p = makePixel(position, viewZ, decodeGuide(texelFetch(gIn_NormalRoughness, guideTexel(position), 0)));
-    vec2 narrowing = adaptedConvergence(gIn_Length, gIn_ViewZ, position);
-    vec2 n = unpackLengths(texelFetch(gIn_Length, position, 0).xy);
-    BlurPass pass = BlurPass(g.rotatorPostBlur, 2.0, 0.5);
-#if HAS_DIFFUSE
-    Lobe diffuseLobe = Lobe(1.0, g.minMaterialForDiffuse, g.maxBlurRadius);
-    Signal diffuse = blurLobe(gIn_Diffuse, gIn_DiffuseSh, p, diffuseLobe, false, position, narrowing.x, pass);
-    storeSignal(gOut_DiffuseHistory, gOut_DiffuseHistorySh, position, diffuse);
-    storeOutput(gOut_Diffuse, gOut_DiffuseSh, position, diffuse, n.x);
-#endif
-#if HAS_SPECULAR
-    Lobe specularLobe = Lobe(p.guide.roughness, g.minMaterialForSpecular, g.maxBlurRadius);
-    Signal specular = blurLobe(gIn_Specular, gIn_SpecularSh, p, specularLobe, true, position,
-                               narrowing[kSpecularChannel], pass);
-    storeSignal(gOut_SpecularHistory, gOut_SpecularHistorySh, position, specular);
-    storeOutput(gOut_Specular, gOut_SpecularSh, position, specular, n[kSpecularChannel]);
-#endif
-    imageStore(gOut_PrevLength, position, uvec4(packLengthWord(n + 1.0)));
-}
+#define IS_POST_BLUR 1
+#include "blur_pass.glsl"

@@ -184,7 +184,7 @@ constexpr PassRow kPasses[] = {
     {"Post-blur",
      kPostBlur,
      {Tiles, ViewZ, NormalRoughness, Length, each(Scratch)},
-     {each(History), PrevLength, kEachOutput},
+     {each(History), kEachOutput, PrevLength},
      kGroup8x16,
      isDenoised,
      {kMaterialTest},

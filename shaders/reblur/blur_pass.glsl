@@ -1,0 +1,83 @@
+// One of the two recurrent blurs: textures and main(). Needs IS_POST_BLUR.
+#ifndef BLUR_PASS_GLSL
+#define BLUR_PASS_GLSL
+#include "spatial_filter.glsl"
+
+layout(local_size_x = 8, local_size_y = 16) in;
+layout(set = SET_RESOURCES, binding = 0) uniform texture2D gIn_Tiles;
+layout(set = SET_RESOURCES, binding = 1) uniform texture2D gIn_ViewZ;
+layout(set = SET_RESOURCES, binding = 2) uniform texture2D gIn_NormalRoughness;
+layout(set = SET_RESOURCES, binding = 3) uniform texture2D gIn_Length;
+#define FIRST_OUT (4 + SIGNAL_NUM)
+#define FIRST_RESULT (FIRST_OUT + SIGNAL_NUM)
+#define MAY_BE_LAST (IS_STABILIZED + IS_POST_BLUR)
+#if HAS_DIFFUSE
+layout(set = SET_RESOURCES, binding = 4) uniform texture2D gIn_Diffuse;
+layout(set = SET_RESOURCES, binding = FIRST_OUT) uniform writeonly image2D gOut_DiffuseHistory;
+#if MAY_BE_LAST
+layout(set = SET_RESOURCES, binding = FIRST_RESULT) uniform writeonly image2D gOut_Diffuse;
+#endif
+#if IS_SH
+layout(set = SET_RESOURCES, binding = 4 + LOBE_NUM) uniform texture2D gIn_DiffuseSh;
+layout(set = SET_RESOURCES, binding = FIRST_OUT + LOBE_NUM) uniform writeonly image2D gOut_DiffuseHistorySh;
+layout(set = SET_RESOURCES, binding = FIRST_RESULT + LOBE_NUM) uniform writeonly image2D gOut_DiffuseSh;
+#endif
+#endif
+#if HAS_SPECULAR
+layout(set = SET_RESOURCES, binding = 3 + LOBE_NUM) uniform texture2D gIn_Specular;
+layout(set = SET_RESOURCES, binding = FIRST_OUT + LOBE_NUM - 1) uniform writeonly image2D gOut_SpecularHistory;
+#if MAY_BE_LAST
+layout(set = SET_RESOURCES, binding = FIRST_RESULT + LOBE_NUM - 1) uniform writeonly image2D gOut_Specular;
+#endif
+#if IS_SH
+layout(set = SET_RESOURCES, binding = 3 + 2 * LOBE_NUM) uniform texture2D gIn_SpecularSh;
+layout(set = SET_RESOURCES, binding = FIRST_OUT + 2 * LOBE_NUM - 1) uniform writeonly image2D gOut_SpecularHistorySh;
+layout(set = SET_RESOURCES, binding = FIRST_RESULT + 2 * LOBE_NUM - 1) uniform writeonly image2D gOut_SpecularSh;
+#endif
+#endif
+#if MAY_BE_LAST
+layout(set = SET_RESOURCES, binding = FIRST_RESULT + SIGNAL_NUM) uniform writeonly uimage2D gOut_PrevLength;
+#endif
+
+#include "recurrent_blur.glsl"
+
+void main()
+{
+    ivec2 position = ivec2(gl_GlobalInvocationID.xy);
+    if (texelFetch(gIn_Tiles, position / TILE_SIZE, 0).x > 0.5 || !isInRect(position)) return;
+    float viewZ = decodeViewZ(texelFetch(gIn_ViewZ, guideTexel(position), 0).x);
+    if (!isInRange(viewZ)) return;
+    Pixel p = makePixel(position, viewZ, decodeGuide(texelFetch(gIn_NormalRoughness, guideTexel(position), 0)));
+    vec2 narrowing = adaptedConvergence(gIn_Length, gIn_ViewZ, position);
+#if IS_POST_BLUR
+    BlurPass pass = BlurPass(g.rotatorPostBlur, 2.0, 0.5); // wider and stricter
+#else
+    BlurPass pass = BlurPass(g.rotatorBlur, 1.0, 1.0);
+#endif
+#if HAS_DIFFUSE
+    Lobe diffuseLobe = Lobe(1.0, g.minMaterialForDiffuse, g.maxBlurRadius);
+    Signal diffuse = blurLobe(gIn_Diffuse, gIn_DiffuseSh, p, diffuseLobe, false, position, narrowing.x, pass);
+    storeSignal(gOut_DiffuseHistory, gOut_DiffuseHistorySh, position, diffuse);
+#endif
+#if HAS_SPECULAR
+    Lobe specularLobe = Lobe(p.guide.roughness, g.minMaterialForSpecular, g.maxBlurRadius);
+    Signal specular = blurLobe(gIn_Specular, gIn_SpecularSh, p, specularLobe, true, position,
+                               narrowing[kSpecularChannel], pass);
+    storeSignal(gOut_SpecularHistory, gOut_SpecularHistorySh, position, specular);
+#endif
+#if MAY_BE_LAST
+#if IS_POST_BLUR == 0
+    if (kHasStabilization) return; // which is the last pass then
+#endif
+    vec2 n = unpackLengths(texelFetch(gIn_Length, position, 0).xy);
+#if HAS_DIFFUSE
+    storeOutput(gOut_Diffuse, gOut_DiffuseSh, position, diffuse, n.x);
+#endif
+#if HAS_SPECULAR
+    storeOutput(gOut_Specular, gOut_SpecularSh, position, specular, n[kSpecularChannel]);
+#endif
+    imageStore(gOut_PrevLength, position, uvec4(packLengthWord(n + 1.0)));
+#endif
+}
+
+#endif
