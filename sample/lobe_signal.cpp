@@ -21,6 +21,7 @@ struct SlotRow
 };
 
 constexpr VkFormat kRgba16 = VK_FORMAT_R16G16B16A16_SFLOAT;
+constexpr VkFormat kRgba16Snorm = VK_FORMAT_R16G16B16A16_SNORM; // finer than half floats near 1
 constexpr VkFormat kR16 = VK_FORMAT_R16_SFLOAT;
 constexpr Family kReblur = Family::Reblur, kRelax = Family::Relax;
 
@@ -43,7 +44,7 @@ constexpr SlotRow kSlots[] = {
     {kReblur, LobeFormat::HitDistance, Lobe::Specular,
      ResourceType::IN_SPEC_HITDIST, ResourceType::OUT_SPEC_HITDIST, kR16, LOBE_HIT_DISTANCE},
     {kReblur, LobeFormat::Direction, Lobe::Diffuse,
-     ResourceType::IN_DIFF_DIRECTION_HITDIST, ResourceType::OUT_DIFF_DIRECTION_HITDIST, kRgba16, LOBE_DIRECTION},
+     ResourceType::IN_DIFF_DIRECTION_HITDIST, ResourceType::OUT_DIFF_DIRECTION_HITDIST, kRgba16Snorm, LOBE_DIRECTION},
     {kRelax, LobeFormat::Radiance, Lobe::Diffuse,
      ResourceType::IN_DIFF_RADIANCE_HITDIST, ResourceType::OUT_DIFF_RADIANCE_HITDIST, kRgba16, LOBE_RELAX},
     {kRelax, LobeFormat::Radiance, Lobe::Specular,

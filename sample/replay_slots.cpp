@@ -10,6 +10,7 @@ namespace
 using nrd::ResourceType;
 
 constexpr VkFormat kRgba16 = VK_FORMAT_R16G16B16A16_SFLOAT;
+constexpr VkFormat kRgba16Snorm = VK_FORMAT_R16G16B16A16_SNORM; // finer than half floats near 1
 constexpr VkFormat kRgba8 = VK_FORMAT_R8G8B8A8_UNORM;
 constexpr VkFormat kRgba32 = VK_FORMAT_R32G32B32A32_SFLOAT;
 constexpr VkFormat kR16 = VK_FORMAT_R16_SFLOAT;
@@ -18,7 +19,8 @@ constexpr VkFormat kA2B10G10R10 = VK_FORMAT_A2B10G10R10_UNORM_PACK32;
 
 constexpr SlotRow in(ResourceType type, Family family, VkFormat format, std::optional<Layer> layer, uint32_t mode)
 {
-    return {type, family, format, layer, {}, mode, layer == Layer::Diffuse || layer == Layer::Shadow, false, {}, {}, {}};
+    return {type,  family, format, layer, {}, mode, layer == Layer::Diffuse || layer == Layer::Shadow,
+            false, {},     {},     {}};
 }
 
 constexpr SlotRow directed(ResourceType type, Family family, Layer layer, uint32_t mode)
@@ -98,7 +100,7 @@ constexpr SlotRow kSlots[] = {
     with(out(ResourceType::OUT_DIFF_HITDIST, kReblur, kR16, REPLAY_UNPACK_REBLUR_HITDIST), {}, Signal::NormHitDist),
     with(out(ResourceType::OUT_SPEC_HITDIST, kReblur, kR16, REPLAY_UNPACK_REBLUR_HITDIST), {},
          Signal::SpecularNormHitDist),
-    with(out(ResourceType::OUT_DIFF_DIRECTION_HITDIST, kReblur, kRgba16, REPLAY_UNPACK_REBLUR_DIRECTION_HITDIST), {},
+    with(out(ResourceType::OUT_DIFF_DIRECTION_HITDIST, kReblur, kRgba16Snorm, REPLAY_UNPACK_REBLUR_DIRECTION_HITDIST), {},
          Signal::NormHitDist),
     with(out(ResourceType::OUT_SHADOW_TRANSLUCENCY, Family::Sigma, kRgba8, REPLAY_UNPACK_SIGMA), Signal::Translucency,
          Signal::Shadow),

@@ -72,6 +72,8 @@ void Core::checkUserPool(const DenoiserState& denoiser, const NrdUserPool& userP
         const std::string error = findError(userPool[needs[i].type], needs[i], rules, toString(denoiser.desc.denoiser));
         if (!error.empty()) throw Refusal(Result::INVALID_ARGUMENT, error);
     }
+    const std::string overlap = findOverlap(userPool, {needs, needCount});
+    if (!overlap.empty()) throw Refusal(Result::INVALID_ARGUMENT, overlap);
 }
 
 bool Core::repairHistory(rhi::Span<const Identifier> identifiers)

@@ -19,9 +19,12 @@ std::string findUsageError(const NrdUserImage& image, const ResourceRequirement&
 {
     if (image.usage == 0) return {};
     const bool isStorage = need.descriptorType == DescriptorType::STORAGE_TEXTURE;
-    if (image.usage & (isStorage ? VK_IMAGE_USAGE_STORAGE_BIT : VK_IMAGE_USAGE_SAMPLED_BIT)) return {};
-    return sentence("%s: the image was created without %s, which this slot needs", toString(need.type),
-                    isStorage ? "VK_IMAGE_USAGE_STORAGE_BIT" : "VK_IMAGE_USAGE_SAMPLED_BIT");
+    const char* missing = nullptr;
+    if ((!isStorage || need.isReadBack) && !(image.usage & VK_IMAGE_USAGE_SAMPLED_BIT))
+        missing = "VK_IMAGE_USAGE_SAMPLED_BIT";
+    if (isStorage && !(image.usage & VK_IMAGE_USAGE_STORAGE_BIT)) missing = "VK_IMAGE_USAGE_STORAGE_BIT";
+    if (!missing) return {};
+    return sentence("%s: the image was created without %s, which this slot needs", toString(need.type), missing);
 }
 
 std::string findFormatError(const NrdUserImage& image, const ResourceRequirement& need, const SlotRules& rules)
@@ -56,6 +59,21 @@ std::string findError(const NrdUserImage& image, const ResourceRequirement& need
     if (hasFreeSize(need.type) || (image.width == rules.width && image.height == rules.height)) return {};
     return sentence("%s: the image is %u x %u, but the resource size is %u x %u", slot, image.width, image.height,
                     rules.width, rules.height);
+}
+
+std::string findOverlap(const NrdUserPool& pool, rhi::Span<const ResourceRequirement> needs)
+{
+    for (const ResourceRequirement& output : needs)
+    {
+        if (!output.isReadBack || pool[output.type].image == VK_NULL_HANDLE) continue;
+        for (const ResourceRequirement& other : needs)
+        {
+            if (other.type == output.type || pool[other.type].image != pool[output.type].image) continue;
+            return sentence("%s and %s: one image, but the output holds steps on the way while the other is in use",
+                            toString(output.type), toString(other.type));
+        }
+    }
+    return {};
 }
 
 std::string findStateConflict(const NrdUserPool& pool)

@@ -1,6 +1,7 @@
 // Checks an application's user pool against what the denoisers need: pure, before anything is recorded.
 #pragma once
 #include <nrd/integration.h>
+#include <rhi/span.h>
 #include <string>
 
 namespace nrd
@@ -15,6 +16,9 @@ struct SlotRules
 /// Empty, or one sentence that names the slot and what is wrong with its image for this need of `denoiser`.
 std::string findError(const NrdUserImage& image, const ResourceRequirement& need, const SlotRules& rules,
                       const char* denoiser);
+
+/// Empty, or one sentence that names an output which holds steps on the way and a slot that is the same image.
+std::string findOverlap(const NrdUserPool& pool, rhi::Span<const ResourceRequirement> needs);
 
 /// Empty, or one sentence that names two slots which hold one image in two states.
 std::string findStateConflict(const NrdUserPool& pool);

@@ -25,6 +25,7 @@ void addPermanentTextures(CompiledDenoiser& denoiser, std::pmr::vector<TextureDe
         switch (texture.row->lifetime)
         {
         case Lifetime::Transient:
+        case Lifetime::Lent:
             place.pool = ResourceType::TRANSIENT_POOL;
             break;
         case Lifetime::Permanent:
@@ -50,7 +51,7 @@ void placeTransientTextures(Compiled& compiled, Memory* memory)
         const Program& program = denoiser.program;
         for (size_t i = 0; i < program.textures.size(); i++)
         {
-            if (program.textures[i].row->lifetime != Lifetime::Transient) continue;
+            if (!program.textures[i].isTransient()) continue;
             const Life life = lifeOf(program, i);
             textures.push_back({program.textures[i].format, factorOf(denoiser, program.textures[i]),
                                 firstPass + life.first, firstPass + life.last});
@@ -121,8 +122,7 @@ void addPipelinesAndClears(CompiledDenoiser& denoiser, PipelineTable& pipelines)
         denoiser.pipelines.push(pipelines.add(pass));
         for (const BoundSlot& slot : pass.writes)
         {
-            clears.add(slot.binding);
-            if (slot.isUsed) clears.add(slot.otherwise);
+            for (const BoundChoice& choice : slot.choices) clears.add(choice.binding);
         }
     }
 }
@@ -178,7 +178,8 @@ void compile(const InstanceCreationDesc& desc, Compiled& compiled)
         CompiledDenoiser& denoiser = compiled.denoisers.emplace_back();
         denoiser.identifier = desc.denoisers[i].identifier;
         denoiser.resolutionDivisor = static_cast<uint16_t>(desc.denoisers[i].resolutionDivisor);
-        denoiser.program = expand(findVariant(desc.denoisers[i].denoiser, keptBy(desc.denoisers[i])), desc.normalEncoding);
+        denoiser.program =
+            expand(findVariant(desc.denoisers[i].denoiser, keptBy(desc.denoisers[i])), desc.normalEncoding);
         denoiser.settings = denoiser.program.family->defaults;
         addPermanentTextures(denoiser, compiled.permanentPool);
     }

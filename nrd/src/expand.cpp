@@ -1,5 +1,6 @@
 #include "expand.h"
 #include "denoisers/families.h"
+#include <algorithm>
 
 namespace nrd
 {
@@ -7,8 +8,9 @@ namespace
 {
 bool usesTexture(const BoundSlot& slot, size_t texture)
 {
-    const auto is = [texture](const Binding& binding) { return binding.isTexture() && binding.texture == texture; };
-    return is(slot.binding) || (slot.isUsed && is(slot.otherwise));
+    return std::any_of(slot.choices.begin(), slot.choices.end(),
+                       [texture](const BoundChoice& choice)
+                       { return choice.binding.isTexture() && choice.binding.texture == texture; });
 }
 
 Format formatOf(const TextureFormat& format, const Variant& variant, size_t signal, NormalEncoding encoding)
@@ -30,6 +32,11 @@ Format formatOf(const TextureFormat& format, const Variant& variant, size_t sign
     return Format::MAX_NUM;
 }
 
+bool isInOutput(const TextureRow& row, const SignalRow& signal)
+{
+    return row.lifetime == Lifetime::Lent && signal.lendsOutput;
+}
+
 void addTextures(Program& program, NormalEncoding encoding)
 {
     for (const TextureRow& row : program.family->textures)
@@ -38,6 +45,7 @@ void addTextures(Program& program, NormalEncoding encoding)
         const size_t num = row.format.rule == FormatRule::PerSignal ? program.variant->signals.size() : 1;
         for (size_t signal = 0; signal < num; signal++)
         {
+            if (isInOutput(row, program.variant->signals[signal])) continue;
             program.textures.push(
                 {&row, static_cast<uint8_t>(signal), formatOf(row.format, *program.variant, signal, encoding)});
         }
@@ -66,6 +74,7 @@ Binding bind(const Program& program, const Place& place, size_t signal)
     case Source::SignalOutput:
         return {row.output, 0, false};
     case Source::Table:
+        if (isInOutput(program.family->textures[place.index], row)) return {row.output, 0, false};
         break;
     }
     return {ResourceType::MAX_NUM, findTexture(program, place.index, place.isEach ? signal : 0), place.isPrevious};
@@ -77,13 +86,12 @@ void addSlots(const Program& program, const FixedList<Slot, SlotNum>& slots, Fix
     for (const Slot& slot : slots)
     {
         if (!has(*program.variant, slot.having)) continue;
-        const size_t num = slot.place.isEach ? program.variant->signals.size() : 1;
+        const size_t num = slot.choices[0].place.isEach ? program.variant->signals.size() : 1;
         for (size_t signal = 0; signal < num; signal++)
         {
             BoundSlot& result = (bound.push({}), bound[bound.size() - 1]);
-            result.binding = bind(program, slot.place, signal);
-            result.isUsed = slot.isUsed;
-            if (slot.isUsed) result.otherwise = bind(program, slot.otherwise, signal);
+            for (const Choice& choice : slot.choices)
+                result.choices.push({bind(program, choice.place, signal), choice.isUsed});
         }
     }
 }

@@ -10,6 +10,8 @@ struct Texture
     const TextureRow* row = nullptr;
     uint8_t signal = 0; // index in Variant::signals, for textures that exist once per signal
     Format format = Format::MAX_NUM;
+
+    bool isTransient() const { return row->lifetime == Lifetime::Transient || row->lifetime == Lifetime::Lent; }
 };
 
 // A user slot, or a texture of Program::textures.
@@ -23,16 +25,22 @@ struct Binding
     bool operator==(const Binding&) const = default;
 };
 
+struct BoundChoice
+{
+    Binding binding;
+    Predicate isUsed = nullptr; // null = always
+};
+
 struct BoundSlot
 {
     const Binding& pick(const Conditions& conditions) const
     {
-        return !isUsed || isUsed(conditions) ? binding : otherwise;
+        size_t i = 0;
+        while (choices[i].isUsed && !choices[i].isUsed(conditions)) i++;
+        return choices[i].binding;
     }
 
-    Binding binding;
-    Binding otherwise;
-    Predicate isUsed = nullptr;
+    FixedList<BoundChoice, 3> choices; // the last one is always used
 };
 
 struct Pass

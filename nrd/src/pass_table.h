@@ -96,18 +96,23 @@ struct Place
     bool isEach = false;     // one texture per signal of the variant
 };
 
+struct Choice
+{
+    Place place;
+    Predicate isUsed = nullptr; // null = always
+};
+
+// What is bound: the first choice that is used. Either all of them are per signal, or none is.
 struct Slot
 {
     constexpr Slot() = default;
-    constexpr Slot(ResourceType type) : place{Source::User, static_cast<uint8_t>(type)} {}
-    constexpr Slot(Place p) : place(p) {}
+    constexpr Slot(Place place) : choices{{place}} {}
+    constexpr Slot(ResourceType type) : Slot(Place{Source::User, static_cast<uint8_t>(type)}) {}
     template <class Key>
     requires std::is_enum_v<Key>
-    constexpr Slot(Key key) : place{Source::Table, static_cast<uint8_t>(key)} {}
+    constexpr Slot(Key key) : Slot(Place{Source::Table, static_cast<uint8_t>(key)}) {}
 
-    Place place;
-    Place otherwise;            // bound when isUsed says no
-    Predicate isUsed = nullptr; // null = always
+    FixedList<Choice, 3> choices;
     Having having;
 };
 
@@ -126,10 +131,10 @@ constexpr Slot only(Having having, Slot slot)
     slot.having = having;
     return slot;
 }
-constexpr Slot choose(Predicate condition, Slot slot, Place otherwise)
+constexpr Slot choose(Predicate condition, Slot slot, const Slot& otherwise)
 {
-    slot.isUsed = condition;
-    slot.otherwise = otherwise;
+    slot.choices[slot.choices.size() - 1].isUsed = condition;
+    for (const Choice& choice : otherwise.choices) slot.choices.push(choice);
     return slot;
 }
 // Nothing is partially bound: an input that is not there is replaced by one that always is.
@@ -162,6 +167,7 @@ constexpr TextureFormat kGuide = {FormatRule::Guide, Format::MAX_NUM, Format::MA
 enum class Lifetime : uint8_t
 {
     Transient, // from its first pass to its last within a request
+    Lent,      // the same, in the output of its signal where SignalRow::lendsOutput says so
     Permanent, // history
     PingPong   // history, a pair that changes places with every request
 };
@@ -185,6 +191,7 @@ struct SignalRow
     ResourceType output = ResourceType::MAX_NUM;
     Format format = Format::MAX_NUM; // inside the denoiser
     Lobes lobe = kNoLobe;
+    bool lendsOutput = false; // any output that serves can hold what is inside, until the result takes its place
 };
 
 struct Variant

@@ -28,8 +28,9 @@ Format minFormat(ResourceType type, const Conditions& c)
     case ResourceType::OUT_SPEC_HITDIST:
         return Format::R8_UNORM;
     case ResourceType::IN_DIFF_DIRECTION_HITDIST:
-    case ResourceType::OUT_DIFF_DIRECTION_HITDIST:
         return Format::RGBA8_SNORM;
+    case ResourceType::OUT_DIFF_DIRECTION_HITDIST:
+        return Format::RGBA16_SNORM;
     case ResourceType::IN_TRANSLUCENCY:
     case ResourceType::OUT_VALIDATION:
         return Format::RGBA8_UNORM;
@@ -72,7 +73,7 @@ Need findNeed(const Slots& slots, ResourceType type, bool isRunning, const Condi
     Need need;
     for (const BoundSlot& slot : slots)
     {
-        need.isBound = need.isBound || slot.binding.type == type || (slot.isUsed && slot.otherwise.type == type);
+        for (const BoundChoice& choice : slot.choices) need.isBound = need.isBound || choice.binding.type == type;
         need.isRequired = need.isRequired || (isRunning && slot.pick(conditions).type == type);
     }
     return need;
@@ -108,7 +109,7 @@ Result Instance::getRequiredResources(Identifier identifier, const ResourceRequi
         }
         if (!input.isBound && !output.isBound) continue;
         const DescriptorType descriptor = output.isBound ? DescriptorType::STORAGE_TEXTURE : DescriptorType::TEXTURE;
-        m_requirements.push({type, descriptor, input.isRequired || output.isRequired,
+        m_requirements.push({type, descriptor, input.isRequired || output.isRequired, output.isBound && input.isBound,
                              minFormat(type, conditions)});
     }
     requirements = m_requirements.begin();

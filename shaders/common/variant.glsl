@@ -29,6 +29,8 @@ const bool kIsDirectional = SIGNAL == 3;
 #define gOut_SpecularSh gOut_Specular
 #define gOut_DiffuseHistorySh gOut_DiffuseHistory
 #define gOut_SpecularHistorySh gOut_SpecularHistory
+#define gOut_DiffuseBlurredSh gOut_DiffuseBlurred
+#define gOut_SpecularBlurredSh gOut_SpecularBlurred
 #endif
 
 #endif

@@ -10,33 +10,32 @@ layout(set = SET_RESOURCES, binding = 2) uniform texture2D gIn_NormalRoughness;
 layout(set = SET_RESOURCES, binding = 3) uniform texture2D gIn_Length;
 #define FIRST_OUT (4 + SIGNAL_NUM)
 #define FIRST_RESULT (FIRST_OUT + SIGNAL_NUM)
-#define MAY_BE_LAST (IS_STABILIZED + IS_POST_BLUR)
 #if HAS_DIFFUSE
 layout(set = SET_RESOURCES, binding = 4) uniform texture2D gIn_Diffuse;
-layout(set = SET_RESOURCES, binding = FIRST_OUT) uniform writeonly image2D gOut_DiffuseHistory;
-#if MAY_BE_LAST
+layout(set = SET_RESOURCES, binding = FIRST_OUT) uniform writeonly image2D gOut_DiffuseBlurred;
+#if IS_POST_BLUR
 layout(set = SET_RESOURCES, binding = FIRST_RESULT) uniform writeonly image2D gOut_Diffuse;
 #endif
 #if IS_SH
 layout(set = SET_RESOURCES, binding = 4 + LOBE_NUM) uniform texture2D gIn_DiffuseSh;
-layout(set = SET_RESOURCES, binding = FIRST_OUT + LOBE_NUM) uniform writeonly image2D gOut_DiffuseHistorySh;
-layout(set = SET_RESOURCES, binding = FIRST_RESULT + LOBE_NUM) uniform writeonly image2D gOut_DiffuseSh;
+layout(set = SET_RESOURCES, binding = FIRST_OUT + LOBE_NUM) uniform writeonly image2D gOut_DiffuseBlurredSh;
 #endif
 #endif
 #if HAS_SPECULAR
 layout(set = SET_RESOURCES, binding = 3 + LOBE_NUM) uniform texture2D gIn_Specular;
-layout(set = SET_RESOURCES, binding = FIRST_OUT + LOBE_NUM - 1) uniform writeonly image2D gOut_SpecularHistory;
-#if MAY_BE_LAST
+layout(set = SET_RESOURCES, binding = FIRST_OUT + LOBE_NUM - 1) uniform writeonly image2D gOut_SpecularBlurred;
+#if IS_POST_BLUR
 layout(set = SET_RESOURCES, binding = FIRST_RESULT + LOBE_NUM - 1) uniform writeonly image2D gOut_Specular;
 #endif
 #if IS_SH
 layout(set = SET_RESOURCES, binding = 3 + 2 * LOBE_NUM) uniform texture2D gIn_SpecularSh;
-layout(set = SET_RESOURCES, binding = FIRST_OUT + 2 * LOBE_NUM - 1) uniform writeonly image2D gOut_SpecularHistorySh;
-layout(set = SET_RESOURCES, binding = FIRST_RESULT + 2 * LOBE_NUM - 1) uniform writeonly image2D gOut_SpecularSh;
+layout(set = SET_RESOURCES, binding = FIRST_OUT + 2 * LOBE_NUM - 1) uniform writeonly image2D gOut_SpecularBlurredSh;
 #endif
 #endif
-#if MAY_BE_LAST
+#if IS_POST_BLUR
 layout(set = SET_RESOURCES, binding = FIRST_RESULT + SIGNAL_NUM) uniform writeonly uimage2D gOut_PrevLength;
+#elif IS_STABILIZED
+layout(set = SET_RESOURCES, binding = FIRST_RESULT) uniform writeonly image2D gOut_BlurLuma;
 #endif
 
 #include "recurrent_blur.glsl"
@@ -54,21 +53,19 @@ void main()
 #else
     BlurPass pass = BlurPass(g.rotatorBlur, 1.0, 1.0);
 #endif
+    Signal diffuse = kNoSignal, specular = kNoSignal;
 #if HAS_DIFFUSE
     Lobe diffuseLobe = Lobe(1.0, g.minMaterialForDiffuse, g.maxBlurRadius);
-    Signal diffuse = blurLobe(gIn_Diffuse, gIn_DiffuseSh, p, diffuseLobe, false, position, narrowing.x, pass);
-    storeSignal(gOut_DiffuseHistory, gOut_DiffuseHistorySh, position, diffuse);
+    diffuse = blurLobe(gIn_Diffuse, gIn_DiffuseSh, p, diffuseLobe, false, position, narrowing.x, pass);
+    storeSignal(gOut_DiffuseBlurred, gOut_DiffuseBlurredSh, position, diffuse);
 #endif
 #if HAS_SPECULAR
     Lobe specularLobe = Lobe(p.guide.roughness, g.minMaterialForSpecular, g.maxBlurRadius);
-    Signal specular = blurLobe(gIn_Specular, gIn_SpecularSh, p, specularLobe, true, position,
-                               narrowing[kSpecularChannel], pass);
-    storeSignal(gOut_SpecularHistory, gOut_SpecularHistorySh, position, specular);
+    specular = blurLobe(gIn_Specular, gIn_SpecularSh, p, specularLobe, true, position, narrowing[kSpecularChannel],
+                        pass);
+    storeSignal(gOut_SpecularBlurred, gOut_SpecularBlurredSh, position, specular);
 #endif
-#if MAY_BE_LAST
-#if IS_POST_BLUR == 0
-    if (kHasStabilization) return; // which is the last pass then
-#endif
+#if IS_POST_BLUR
     vec2 n = unpackLengths(texelFetch(gIn_Length, position, 0).xy);
 #if HAS_DIFFUSE
     storeOutput(gOut_Diffuse, gOut_DiffuseSh, position, diffuse, n.x);
@@ -77,6 +74,8 @@ void main()
     storeOutput(gOut_Specular, gOut_SpecularSh, position, specular, n[kSpecularChannel]);
 #endif
     imageStore(gOut_PrevLength, position, uvec4(packLengthWord(n + 1.0)));
+#elif IS_STABILIZED
+    imageStore(gOut_BlurLuma, position, roundToHalf(packScalars(luma(diffuse), luma(specular))));
 #endif
 }
 

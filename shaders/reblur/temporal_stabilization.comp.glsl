@@ -1,5 +1,6 @@
 // Stabilises luma against a clamped history, measures lag and shortens the history where it disagrees with the present.
-// The history was read by temporal accumulation, at the place it chose.
+// The history was read by temporal accumulation, at the place it chose. What is denoised may lie in the output, whose
+// place the result takes, so every pixel reads its own alone, and the next frame's history gets it from here.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "denoiser.glsl"
@@ -10,33 +11,37 @@ layout(set = SET_RESOURCES, binding = 1) uniform texture2D gIn_ViewZ;
 layout(set = SET_RESOURCES, binding = 2) uniform texture2D gIn_Length;
 layout(set = SET_RESOURCES, binding = 3) uniform texture2D gIn_StabHistory;
 layout(set = SET_RESOURCES, binding = 4) uniform texture2D gIn_StabWeight;
-#define FIRST_OUT (5 + SIGNAL_NUM + HAS_SPECULAR)
+layout(set = SET_RESOURCES, binding = 5) uniform texture2D gIn_BlurLuma;
+#define FIRST_OUT (6 + SIGNAL_NUM + HAS_SPECULAR)
+#define FIRST_HISTORY (FIRST_OUT + SIGNAL_NUM)
 #if HAS_DIFFUSE
-layout(set = SET_RESOURCES, binding = 5) uniform texture2D gIn_Diffuse;
+layout(set = SET_RESOURCES, binding = 6) uniform texture2D gIn_Diffuse;
 layout(set = SET_RESOURCES, binding = FIRST_OUT) uniform writeonly image2D gOut_Diffuse;
+layout(set = SET_RESOURCES, binding = FIRST_HISTORY) uniform writeonly image2D gOut_DiffuseHistory;
 #if IS_SH
-layout(set = SET_RESOURCES, binding = 5 + LOBE_NUM) uniform texture2D gIn_DiffuseSh;
+layout(set = SET_RESOURCES, binding = 6 + LOBE_NUM) uniform texture2D gIn_DiffuseSh;
 layout(set = SET_RESOURCES, binding = FIRST_OUT + LOBE_NUM) uniform writeonly image2D gOut_DiffuseSh;
+layout(set = SET_RESOURCES, binding = FIRST_HISTORY + LOBE_NUM) uniform writeonly image2D gOut_DiffuseHistorySh;
 #endif
 #endif
 #if HAS_SPECULAR
-layout(set = SET_RESOURCES, binding = 4 + LOBE_NUM) uniform texture2D gIn_Specular;
-layout(set = SET_RESOURCES, binding = 5 + SIGNAL_NUM) uniform texture2D gIn_NormalRoughness;
+layout(set = SET_RESOURCES, binding = 5 + LOBE_NUM) uniform texture2D gIn_Specular;
+layout(set = SET_RESOURCES, binding = 6 + SIGNAL_NUM) uniform texture2D gIn_NormalRoughness;
 layout(set = SET_RESOURCES, binding = FIRST_OUT + LOBE_NUM - 1) uniform writeonly image2D gOut_Specular;
+layout(set = SET_RESOURCES, binding = FIRST_HISTORY + LOBE_NUM - 1) uniform writeonly image2D gOut_SpecularHistory;
 #if IS_SH
-layout(set = SET_RESOURCES, binding = 4 + 2 * LOBE_NUM) uniform texture2D gIn_SpecularSh;
+layout(set = SET_RESOURCES, binding = 5 + 2 * LOBE_NUM) uniform texture2D gIn_SpecularSh;
 layout(set = SET_RESOURCES, binding = FIRST_OUT + 2 * LOBE_NUM - 1) uniform writeonly image2D gOut_SpecularSh;
+layout(set = SET_RESOURCES, binding = FIRST_HISTORY + 2 * LOBE_NUM - 1) uniform writeonly image2D gOut_SpecularHistorySh;
 #endif
 #endif
-layout(set = SET_RESOURCES, binding = FIRST_OUT + SIGNAL_NUM) uniform writeonly image2D gOut_Stab;
-layout(set = SET_RESOURCES, binding = FIRST_OUT + SIGNAL_NUM + 1) uniform writeonly uimage2D gOut_PrevLength;
+layout(set = SET_RESOURCES, binding = FIRST_HISTORY + SIGNAL_NUM) uniform writeonly image2D gOut_Stab;
+layout(set = SET_RESOURCES, binding = FIRST_HISTORY + SIGNAL_NUM + 1) uniform writeonly uimage2D gOut_PrevLength;
 
 const ivec2 kHalo = ivec2(10, 18);
 const float kInvalid = -1.0; // lumas are not negative
 
 shared vec2 sLuma[kHalo.y][kHalo.x]; // per lobe
-
-float storedLuma(vec4 stored) { return luma(Signal(decodeValue(stored), vec3(0.0))); }
 
 void loadLuma(ivec2 group)
 {
@@ -46,14 +51,7 @@ void loadLuma(ivec2 group)
         ivec2 pixel = group + local - 1;
         ivec2 inside = clampToRect(pixel);
         bool isUsed = pixel == inside && isInRange(decodeViewZ(texelFetch(gIn_ViewZ, guideTexel(inside), 0).x));
-        vec2 lumas = vec2(kInvalid);
-#if HAS_DIFFUSE
-        if (isUsed) lumas.x = storedLuma(texelFetch(gIn_Diffuse, inside, 0));
-#endif
-#if HAS_SPECULAR
-        if (isUsed) lumas[kSpecularChannel] = storedLuma(texelFetch(gIn_Specular, inside, 0));
-#endif
-        sLuma[local.y][local.x] = lumas;
+        sLuma[local.y][local.x] = isUsed ? texelFetch(gIn_BlurLuma, inside, 0).xy : vec2(kInvalid);
     }
 }
 
@@ -117,12 +115,21 @@ float specularStrength(Guide guide)
     return isStrand ? min(strength, 0.5) : strength;
 }
 
+// As it is, since a signal encoded once more would be dithered once more.
+void copyTexel(texture2D from, writeonly image2D to, ivec2 position)
+{
+    imageStore(to, position, texelFetch(from, position, 0));
+}
+
 void main()
 {
     ivec2 group = ivec2(gl_WorkGroupID.xy) * ivec2(8, 16);
     if (texelFetch(gIn_Tiles, group / TILE_SIZE, 0).x > 0.5) return; // the same for the whole group
-    loadLuma(group);
-    barrier();
+    if (kHasStabilization)
+    {
+        loadLuma(group);
+        barrier();
+    }
     ivec2 position = ivec2(gl_GlobalInvocationID.xy);
     if (!isInRect(position)) return;
     if (!isInRange(decodeViewZ(texelFetch(gIn_ViewZ, guideTexel(position), 0).x))) return;
@@ -130,20 +137,36 @@ void main()
     vec2 history = texelFetch(gIn_StabHistory, position, 0).xy;
     vec2 quality = texelFetch(gIn_StabWeight, position, 0).xy;
     float isOutsideSplit = pixelUv(position).x >= max(g.splitScreen, g.splitScreenPrev) ? 1.0 : 0.0;
-    Stabilized diffuse = Stabilized(0.0, 0.0), specular = Stabilized(0.0, 0.0);
+    Stabilized diffuse = Stabilized(0.0, n.x), specular = Stabilized(0.0, n[kSpecularChannel]);
 #if HAS_DIFFUSE
     Signal diffuseSignal = readSignal(gIn_Diffuse, gIn_DiffuseSh, position);
-    diffuse = stabilize(0, luma(diffuseSignal), history.x, quality.x, n.x, isOutsideSplit);
-    storeOutput(gOut_Diffuse, gOut_DiffuseSh, position, changeLuma(diffuseSignal, diffuse.luma), n.x);
+    copyTexel(gIn_Diffuse, gOut_DiffuseHistory, position);
+#if IS_SH
+    copyTexel(gIn_DiffuseSh, gOut_DiffuseHistorySh, position);
+#endif
+    if (kHasStabilization)
+    {
+        diffuse = stabilize(0, luma(diffuseSignal), history.x, quality.x, n.x, isOutsideSplit);
+        diffuseSignal = changeLuma(diffuseSignal, diffuse.luma);
+    }
+    storeOutput(gOut_Diffuse, gOut_DiffuseSh, position, diffuseSignal, n.x);
 #endif
 #if HAS_SPECULAR
     const int c = kSpecularChannel;
-    Guide guide = decodeGuide(texelFetch(gIn_NormalRoughness, guideTexel(position), 0));
     Signal specularSignal = readSignal(gIn_Specular, gIn_SpecularSh, position);
-    float strength = isOutsideSplit * specularStrength(guide);
-    specular = stabilize(c, luma(specularSignal), history[c], quality[c], n[c], strength);
-    storeOutput(gOut_Specular, gOut_SpecularSh, position, changeLuma(specularSignal, specular.luma), n[c]);
+    copyTexel(gIn_Specular, gOut_SpecularHistory, position);
+#if IS_SH
+    copyTexel(gIn_SpecularSh, gOut_SpecularHistorySh, position);
 #endif
-    imageStore(gOut_Stab, position, roundToHalf(packScalars(diffuse.luma, specular.luma)));
+    if (kHasStabilization)
+    {
+        Guide guide = decodeGuide(texelFetch(gIn_NormalRoughness, guideTexel(position), 0));
+        float strength = isOutsideSplit * specularStrength(guide);
+        specular = stabilize(c, luma(specularSignal), history[c], quality[c], n[c], strength);
+        specularSignal = changeLuma(specularSignal, specular.luma);
+    }
+    storeOutput(gOut_Specular, gOut_SpecularSh, position, specularSignal, n[c]);
+#endif
+    if (kHasStabilization) imageStore(gOut_Stab, position, roundToHalf(packScalars(diffuse.luma, specular.luma)));
     imageStore(gOut_PrevLength, position, uvec4(packLengthWord(packScalars(diffuse.n, specular.n).xy + 1.0)));
 }

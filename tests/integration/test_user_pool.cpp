@@ -24,9 +24,9 @@ NrdUserImage goodImage()
     return image;
 }
 
-constexpr ResourceRequirement kRadiance = {ResourceType::IN_DIFF_RADIANCE_HITDIST, DescriptorType::TEXTURE, true,
+constexpr ResourceRequirement kRadiance = {ResourceType::IN_DIFF_RADIANCE_HITDIST, DescriptorType::TEXTURE, true, false,
                                            nrd::Format::RGBA16_SFLOAT};
-constexpr ResourceRequirement kOutput = {ResourceType::OUT_SIGNAL, DescriptorType::STORAGE_TEXTURE, true,
+constexpr ResourceRequirement kOutput = {ResourceType::OUT_SIGNAL, DescriptorType::STORAGE_TEXTURE, true, false,
                                          nrd::Format::R8_UNORM};
 
 std::string errorOf(const NrdUserImage& image, const ResourceRequirement& need)
@@ -62,6 +62,21 @@ TEST_CASE("an image without the usage of its slot is refused by name", "[unit]")
     image.usage = VK_IMAGE_USAGE_STORAGE_BIT;
     CHECK(errorOf(image, kRadiance) == "IN_DIFF_RADIANCE_HITDIST: the image was created without "
                                        "VK_IMAGE_USAGE_SAMPLED_BIT, which this slot needs");
+    ResourceRequirement readBack = kOutput;
+    readBack.isReadBack = true;
+    CHECK(errorOf(image, readBack) ==
+          "OUT_SIGNAL: the image was created without VK_IMAGE_USAGE_SAMPLED_BIT, which this slot needs");
+}
+
+TEST_CASE("an output that holds steps on the way can't be an input as well", "[unit]")
+{
+    nrd::NrdUserPool pool;
+    pool[kRadiance.type] = pool[kOutput.type] = goodImage();
+    ResourceRequirement needs[] = {kRadiance, kOutput};
+    CHECK(nrd::findOverlap(pool, needs) == "");
+    needs[1].isReadBack = true;
+    CHECK(nrd::findOverlap(pool, needs) == "OUT_SIGNAL and IN_DIFF_RADIANCE_HITDIST: one image, but the output holds "
+                                           "steps on the way while the other is in use");
 }
 
 TEST_CASE("an image of another size is refused by name, but confidences may be small", "[unit]")
@@ -109,7 +124,7 @@ TEST_CASE("formats are compared by channels, range and bits", "[unit]")
 
 TEST_CASE("the guide's format must be the one of the normal encoding", "[unit]")
 {
-    const ResourceRequirement need = {ResourceType::IN_NORMAL_ROUGHNESS, DescriptorType::TEXTURE, true,
+    const ResourceRequirement need = {ResourceType::IN_NORMAL_ROUGHNESS, DescriptorType::TEXTURE, true, false,
                                       nrd::Format::A2B10G10R10_UNORM_PACK32};
     NrdUserImage image = goodImage();
     CHECK(errorOf(image, need) == "IN_NORMAL_ROUGHNESS: the format is RGBA16_SFLOAT, but the instance's normal "

@@ -87,9 +87,23 @@ TEST_CASE("passes that the settings do not need are not emitted", "[unit]")
     CHECK(isEmitted("Pre-pass"));
     settings.specularPrepassBlurRadius = 0.0f;
     CHECK_FALSE(isEmitted("Pre-pass"));
-    CHECK(isEmitted("Temporal stabilization"));
-    settings.maxStabilizedFrameNum = 0;
-    CHECK_FALSE(isEmitted("Temporal stabilization"));
+    CHECK_FALSE(isEmitted("Firefly cap"));
+}
+
+TEST_CASE("without stabilisation its pass only hands on what was denoised", "[unit]")
+{
+    Steady steady({kReblurBoth});
+    const auto pipelineOf = [&](uint32_t frameNum)
+    {
+        ReblurSettings settings;
+        settings.maxStabilizedFrameNum = frameNum;
+        REQUIRE(SetDenoiserSettings(*steady.instance, 0, settings) == Result::SUCCESS);
+        const std::vector<DispatchDesc> dispatches = requestFrame(*steady.instance, steady.common);
+        const DispatchDesc* pass = findPass(dispatches, "Temporal stabilization");
+        REQUIRE(pass);
+        return pass->pipelineIndex;
+    };
+    CHECK(pipelineOf(0) != pipelineOf(20));
 }
 
 TEST_CASE("the split screen runs last, and alone when it covers everything", "[unit]")
@@ -223,7 +237,7 @@ TEST_CASE("states follow the use, and what is read and written at once is in one
                 CHECK((r.state == ResourceState::SAMPLED) == (r.descriptorType == DescriptorType::TEXTURE));
         }
     }
-    CHECK(bothNum == 4); // temporal accumulation works in place on the two scratch textures
+    CHECK(bothNum == 8); // temporal accumulation and stabilisation work in place on two textures
 }
 
 TEST_CASE("ping-pong textures change places with every request of their denoiser, whatever the frame index", "[unit]")

@@ -67,6 +67,8 @@ TEST_CASE("optional inputs are listed as optional until the settings ask for the
     CHECK(list[ResourceType::IN_MV].minFormat == Format::RG16_SFLOAT);
     CHECK(list[ResourceType::IN_NORMAL_ROUGHNESS].minFormat == Format::A2B10G10R10_UNORM_PACK32);
     CHECK(list[ResourceType::OUT_DIFF_RADIANCE_HITDIST].descriptorType == DescriptorType::STORAGE_TEXTURE);
+    CHECK(list[ResourceType::OUT_DIFF_RADIANCE_HITDIST].isReadBack);
+    CHECK_FALSE(list[ResourceType::IN_MV].isReadBack);
 
     common.isHistoryConfidenceAvailable = true;
     common.isSpecularMotionAvailable = true;

@@ -82,7 +82,7 @@ size_t checkBindings(const Program& program, const Slots& slots, const ShaderMod
         INFO("binding " << first + i << ", " << found->name);
         CHECK(found->kind == kind);
         CHECK_THAT(found->name, containing(prefix));
-        checkName(program, slots[i].binding, found->name);
+        checkName(program, slots[i].choices[0].binding, found->name);
     }
     return unusedNum;
 }

@@ -24,7 +24,7 @@ std::vector<Format> formatsOf(const Program& program, const std::string& name)
 
 template <class Slots> size_t count(const Slots& slots, ResourceType type)
 {
-    const auto isType = [type](const BoundSlot& slot) { return slot.binding.type == type; };
+    const auto isType = [type](const BoundSlot& slot) { return slot.choices[0].binding.type == type; };
     return static_cast<size_t>(std::count_if(slots.begin(), slots.end(), isType));
 }
 
@@ -52,7 +52,7 @@ TEST_CASE("a variant without a lobe has none of that lobe's textures and inputs"
     CHECK(formatsOf(diffuse, "TrackNew").empty());
     CHECK(formatsOf(diffuse, "FastTemp") == Formats{Format::R16_SFLOAT});
     CHECK(formatsOf(diffuse, "PrevLength") == Formats{Format::R8_UINT});
-    CHECK(formatsOf(diffuse, "Signals") == Formats{Format::RGBA16_SFLOAT});
+    CHECK(formatsOf(diffuse, "History") == Formats{Format::RGBA16_SFLOAT});
     const Pass& accumulation = passOf(diffuse, "Temporal accumulation");
     CHECK(count(accumulation.reads, ResourceType::IN_DIFF_CONFIDENCE) == 1);
     CHECK(count(accumulation.reads, ResourceType::IN_SPEC_CONFIDENCE) == 0);
@@ -75,14 +75,24 @@ TEST_CASE("occlusion is a scalar per lobe, with nothing of what only radiance ne
 TEST_CASE("a lobe with two signals has two of everything that exists per signal", "[unit]")
 {
     const Program sh = expandOf(Denoiser::REBLUR_DIFFUSE_SH);
-    CHECK(formatsOf(sh, "Signals") == Formats{Format::RGBA16_SFLOAT, Format::A2B10G10R10_UNORM_PACK32});
-    CHECK(formatsOf(sh, "Scratch").empty());                         // its signals change places instead
+    CHECK(formatsOf(sh, "History") == Formats{Format::RGBA16_SFLOAT, Format::A2B10G10R10_UNORM_PACK32});
     CHECK(formatsOf(sh, "FastTemp") == Formats{Format::R16_SFLOAT}); // still one lobe
     const Pass& prePass = passOf(sh, "Pre-pass");
     CHECK(count(prePass.reads, ResourceType::IN_DIFF_SH0) == 1);
     CHECK(count(prePass.reads, ResourceType::IN_DIFF_SH1) == 1);
     CHECK(prePass.writes.size() == 2);
-    CHECK(prePass.writes[0].binding.texture != prePass.writes[1].binding.texture);
+    CHECK(count(prePass.writes, ResourceType::OUT_DIFF_SH0) == 1);
+    CHECK(prePass.writes[1].choices[0].binding.isTexture());
+}
+
+TEST_CASE("what is on its way lies in the output where that has room for it, else in a texture of its own", "[unit]")
+{
+    CHECK(formatsOf(expandOf(Denoiser::REBLUR_DIFFUSE_SPECULAR), "Work").empty());
+    CHECK(formatsOf(expandOf(Denoiser::REBLUR_DIFFUSE_DIRECTIONAL_OCCLUSION), "Work").empty());
+    CHECK(formatsOf(expandOf(Denoiser::RELAX_SPECULAR), "Pong").empty());
+    // An axis is kept in another form than it is returned in; hit distances are returned while they are read.
+    CHECK(formatsOf(expandOf(Denoiser::REBLUR_DIFFUSE_SH), "Work") == Formats{Format::A2B10G10R10_UNORM_PACK32});
+    CHECK(formatsOf(expandOf(Denoiser::REBLUR_DIFFUSE_OCCLUSION), "Work") == Formats{Format::R16_UNORM});
 }
 
 // The shader list and the variant table have to be in the same order: the names tell.

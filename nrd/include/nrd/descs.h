@@ -172,8 +172,9 @@ struct DispatchDesc
 struct ResourceRequirement
 {
     ResourceType type;
-    DescriptorType descriptorType; // TEXTURE: sampled usage; STORAGE_TEXTURE: storage usage (and sampled if read)
+    DescriptorType descriptorType; // TEXTURE: sampled usage; STORAGE_TEXTURE: storage usage, and see isReadBack
     bool isRequired;               // false: used when bound, or only with a setting that is off now
+    bool isReadBack;               // of an output: holds steps on the way too, so that it needs sampled usage as well
     Format minFormat;              // smallest format that keeps what the slot carries
 };
 } // namespace nrd

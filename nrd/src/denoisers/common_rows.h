@@ -67,14 +67,20 @@ constexpr SignalRow specular(ResourceType input, ResourceType output, Format for
     return {input, output, format, kSpecular};
 }
 
+constexpr SignalRow lending(SignalRow row)
+{
+    row.lendsOutput = true;
+    return row;
+}
+
 using Type = ResourceType;
 
 constexpr SignalRow kDiffuseRadiance =
-    diffuse(Type::IN_DIFF_RADIANCE_HITDIST, Type::OUT_DIFF_RADIANCE_HITDIST, Format::RGBA16_SFLOAT);
+    lending(diffuse(Type::IN_DIFF_RADIANCE_HITDIST, Type::OUT_DIFF_RADIANCE_HITDIST, Format::RGBA16_SFLOAT));
 constexpr SignalRow kSpecularRadiance =
-    specular(Type::IN_SPEC_RADIANCE_HITDIST, Type::OUT_SPEC_RADIANCE_HITDIST, Format::RGBA16_SFLOAT);
-constexpr SignalRow kDiffuseSh0 = diffuse(Type::IN_DIFF_SH0, Type::OUT_DIFF_SH0, Format::RGBA16_SFLOAT);
-constexpr SignalRow kSpecularSh0 = specular(Type::IN_SPEC_SH0, Type::OUT_SPEC_SH0, Format::RGBA16_SFLOAT);
+    lending(specular(Type::IN_SPEC_RADIANCE_HITDIST, Type::OUT_SPEC_RADIANCE_HITDIST, Format::RGBA16_SFLOAT));
+constexpr SignalRow kDiffuseSh0 = lending(diffuse(Type::IN_DIFF_SH0, Type::OUT_DIFF_SH0, Format::RGBA16_SFLOAT));
+constexpr SignalRow kSpecularSh0 = lending(specular(Type::IN_SPEC_SH0, Type::OUT_SPEC_SH0, Format::RGBA16_SFLOAT));
 // Directions are kept relative to luma, so ten bits do and a change of luma leaves them alone.
 constexpr SignalRow kDiffuseSh1 = diffuse(Type::IN_DIFF_SH1, Type::OUT_DIFF_SH1, Format::A2B10G10R10_UNORM_PACK32);
 constexpr SignalRow kSpecularSh1 = specular(Type::IN_SPEC_SH1, Type::OUT_SPEC_SH1, Format::A2B10G10R10_UNORM_PACK32);

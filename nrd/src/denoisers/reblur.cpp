@@ -19,13 +19,13 @@ enum Tex : uint8_t
     StabHistory,
     StabWeight,
     VirtualAmount,
-    Scratch,
+    BlurLuma,
+    Work,
     PrevViewZ,
     PrevNormalRoughness,
     PrevLength,
     History,
     Fast,
-    Signals,
     Spread,
     Stab,
     Track
@@ -47,13 +47,13 @@ constexpr TextureRow kTextures[] = {
     {StabHistory, "StabHistory", perLobes(R16_SFLOAT, RG16_SFLOAT), Transient, 1, kStabilized},
     {StabWeight, "StabWeight", perLobes(R8_UNORM, RG8_UNORM), Transient, 1, kStabilized},
     {VirtualAmount, "VirtualAmount", fixed(R8_UNORM), Transient, VIRTUAL_AMOUNT_STEP, kSpecular},
-    {Scratch, "Scratch", kPerSignal, Transient, 1, kOcclusion},
+    {BlurLuma, "BlurLuma", perLobes(R16_SFLOAT, RG16_SFLOAT), Transient, 1, kStabilized},
+    {Work, "Work", kPerSignal, Lent},
     {PrevViewZ, "PrevViewZ", fixed(R32_SFLOAT), Permanent},
     {PrevNormalRoughness, "PrevNormalRoughness", kGuide, Permanent},
     {PrevLength, "PrevLength", perLobes(R8_UINT, R16_UINT), Permanent},
-    {History, "History", kPerSignal, Permanent, 1, kOcclusion},
+    {History, "History", kPerSignal, Permanent},
     {Fast, "Fast", kLuma, Permanent},
-    {Signals, "Signals", kPerSignal, PingPong, 1, kStabilized},
     {Spread, "Spread", fixed(RGBA16_SFLOAT), PingPong, TILE_SIZE, kColor},
     {Stab, "Stab", perLobes(R16_SFLOAT, RG16_SFLOAT), Permanent, 1, kStabilized},
     {Track, "Track", fixed(R16_SFLOAT), PingPong, 1, kSpecularColor},
@@ -71,7 +71,6 @@ bool hasPrePass(const Conditions& c)
 bool runsPrePass(const Conditions& c) { return isDenoised(c) && hasPrePass(c); }
 
 bool hasStabilization(const Conditions& c) { return settingsOf(c).maxStabilizedFrameNum > 0; }
-bool runsStabilization(const Conditions& c) { return isDenoised(c) && hasStabilization(c); }
 
 bool hasAntiFirefly(const Conditions& c) { return settingsOf(c).enableAntiFirefly; }
 bool hasMaterialTest(const Conditions& c)
@@ -87,13 +86,10 @@ constexpr SwitchRow kAntiFirefly = {SPEC_HAS_ANTI_FIREFLY, hasAntiFirefly, kColo
 
 bool runsFireflyCap(const Conditions& c) { return runsPrePass(c) && hasAntiFirefly(c); }
 
-// Every pass but the first reads what another wrote, so signals go back and forth between two textures. Where there are
-// an even number of steps, the two change places from frame to frame; occlusion takes one step more.
-constexpr Slot kSteps[] = {only(kStabilized, each(Signals)), only(kOcclusion, each(Scratch))};
-constexpr Slot kHistories[] = {only(kStabilized, prevEach(Signals)), only(kOcclusion, each(History))};
+// Signals go back and forth between two textures, since every pass but the first reads what another wrote around a
+// pixel: the history, once temporal accumulation has read it, and one more, which is the output where that is lent.
 // Without a pre-pass the input is accumulated as it came, and nobody wrote a tracking distance.
-constexpr Slot kAccumulated[] = {only(kStabilized, choose(hasPrePass, each(Signals), kEachInput)),
-                                 only(kOcclusion, choose(hasPrePass, each(Scratch), kEachInput))};
+constexpr Slot kAccumulated = choose(hasPrePass, each(Work), kEachInput);
 constexpr Slot kTrackNew = only(kSpecularColor, optional(hasPrePass, TrackNew));
 // Without stabilisation nobody keeps this history up to date.
 constexpr Slot kStab = only(kStabilized, optional(hasStabilization, Stab));
@@ -135,55 +131,37 @@ constexpr PassRow kPasses[] = {
     {"Pre-pass",
      kPrePass,
      {Tiles, ViewZ, NormalRoughness, kEachInput, only(kColor, optional(runsFireflyCap, Cap))},
-     {kSteps[0], kSteps[1], only(kSpecularColor, TrackNew)},
+     {each(Work), only(kSpecularColor, TrackNew)},
      kGroup8x16,
      runsPrePass,
      {kAntiFirefly, kMaterialTest}},
     {"Temporal accumulation",
      kTemporalAccumulation,
-     {Tiles,
-      ViewZ,
-      NormalRoughness,
-      Motion,
-      PrevViewZ,
-      PrevNormalRoughness,
-      PrevLength,
-      kCut,
-      kThresholdMix,
-      kDiffuseConfidence,
-      kSpecularConfidence,
-      kAccumulated[0],
-      kAccumulated[1],
-      kHistories[0],
-      kHistories[1],
-      Fast,
-      kStab,
-      kTrackNew,
-      only(kSpecularOcclusion, ResourceType::IN_SPEC_HITDIST),
-      only(kSpecularColor, prev(Track)),
-      kSpecularMotion},
-     {kSteps[0], kSteps[1], FastTemp, Length, only(kStabilized, StabHistory), only(kStabilized, StabWeight),
+     {Tiles, ViewZ, NormalRoughness, Motion, PrevViewZ, PrevNormalRoughness, PrevLength, kCut, kThresholdMix,
+      kDiffuseConfidence, kSpecularConfidence, kAccumulated, each(History), Fast, kStab, kTrackNew,
+      only(kSpecularOcclusion, ResourceType::IN_SPEC_HITDIST), only(kSpecularColor, prev(Track)), kSpecularMotion},
+     {each(Work), FastTemp, Length, only(kStabilized, StabHistory), only(kStabilized, StabWeight),
       only(kSpecularColor, Track), only(kSpecular, VirtualAmount)},
      kGroup8x16,
      isDenoised,
      {kPrePassSwitch, kStabilization, kMaterialTest, kConfidence, kDisocclusionMix}},
     {"History fix",
      kHistoryFix,
-     {Tiles, ViewZ, NormalRoughness, Length, kSteps[0], kSteps[1], FastTemp, only(kSpecularColor, Track)},
-     {kHistories[0], kHistories[1], Fast, PrevViewZ, PrevNormalRoughness},
+     {Tiles, ViewZ, NormalRoughness, Length, each(Work), FastTemp, only(kSpecularColor, Track)},
+     {each(History), Fast, PrevViewZ, PrevNormalRoughness},
      kGroup8x16,
      isDenoised,
      {kAntiFirefly, kMaterialTest}},
     {"Blur",
      kBlur,
-     {Tiles, ViewZ, NormalRoughness, Length, kHistories[0], kHistories[1]},
-     {kSteps[0], kSteps[1], only(kStabilized, kEachOutput), only(kStabilized, PrevLength)},
+     {Tiles, ViewZ, NormalRoughness, Length, each(History)},
+     {each(Work), only(kStabilized, BlurLuma)},
      kGroup8x16,
      isDenoised,
-     {kMaterialTest, kStabilization}},
+     {kMaterialTest}},
     {"Post-blur",
      kPostBlur,
-     {Tiles, ViewZ, NormalRoughness, Length, each(Scratch)},
+     {Tiles, ViewZ, NormalRoughness, Length, each(Work)},
      {each(History), kEachOutput, PrevLength},
      kGroup8x16,
      isDenoised,
@@ -192,11 +170,11 @@ constexpr PassRow kPasses[] = {
      kOcclusion},
     {"Temporal stabilization",
      kTemporalStabilization,
-     {Tiles, ViewZ, Length, StabHistory, StabWeight, each(Signals), only(kSpecular, NormalRoughness)},
-     {kEachOutput, Stab, PrevLength},
+     {Tiles, ViewZ, Length, StabHistory, StabWeight, BlurLuma, each(Work), only(kSpecular, NormalRoughness)},
+     {kEachOutput, each(History), Stab, PrevLength},
      kGroup8x16,
-     runsStabilization,
-     {},
+     isDenoised,
+     {kStabilization},
      1,
      kStabilized},
     {"Split screen", kSplitScreen, {ViewZ, kEachInput}, {kEachOutput}, kGroup16x16, isSplit},
@@ -211,7 +189,7 @@ constexpr PassRow kPasses[] = {
 constexpr SignalRow kDiffuseHitDist = diffuse(Type::IN_DIFF_HITDIST, Type::OUT_DIFF_HITDIST, R16_UNORM);
 constexpr SignalRow kSpecularHitDist = specular(Type::IN_SPEC_HITDIST, Type::OUT_SPEC_HITDIST, R16_UNORM);
 constexpr SignalRow kDirection =
-    diffuse(Type::IN_DIFF_DIRECTION_HITDIST, Type::OUT_DIFF_DIRECTION_HITDIST, RGBA16_SNORM);
+    lending(diffuse(Type::IN_DIFF_DIRECTION_HITDIST, Type::OUT_DIFF_DIRECTION_HITDIST, RGBA16_SNORM));
 
 // The only place that knows which denoiser has which lobes and signals. In the order of the shader list.
 constexpr Variant kVariants[] = {

@@ -42,7 +42,7 @@ constexpr TextureRow kTextures[] = {
     {Confidence, "Confidence", fixed(R8_UNORM), Transient, 1, kSpecular}, // in the reprojection
     {VirtualAmount, "VirtualAmount", fixed(R8_UNORM), Transient, VIRTUAL_AMOUNT_STEP, kSpecular},
     {Scratch, "Scratch", kPerSignal, Transient},
-    {Pong, "Pong", kPerSignal, Transient},
+    {Pong, "Pong", kPerSignal, Lent},
     {PrevViewZ, "PrevViewZ", fixed(R32_SFLOAT), Permanent},
     {PrevNormalRoughness, "PrevNormalRoughness", kGuide, Permanent},
     {PrevLength, "PrevLength", perLobes(R8_UINT, R16_UINT), Permanent},
@@ -75,6 +75,11 @@ template <uint32_t Step> bool runsStep(const Conditions& c)
     return isDenoised(c) && settingsOf(c).atrousIterationNum > Step;
 }
 template <uint32_t Step> bool isLastStep(const Conditions& c) { return settingsOf(c).atrousIterationNum == Step + 1; }
+// The last step writes the output, so the one before it must not: Pong may lie there.
+template <uint32_t Step> bool writesScratch(const Conditions& c)
+{
+    return (settingsOf(c).atrousIterationNum - Step) % 2 == 0;
+}
 
 constexpr SwitchRow kPrePassSwitch = {SPEC_HAS_PREPASS, hasPrePass};
 constexpr SwitchRow kMaterialTest = {SPEC_HAS_MATERIAL_TEST, hasMaterialTest};
@@ -101,13 +106,13 @@ constexpr ShaderSet kValidation = {Shader::RelaxValidationDiffuse, Shader::Relax
 // Steps take turns between two textures; the first reads the history, the last writes the outputs.
 template <uint32_t Step> constexpr PassRow atrous(const char* name)
 {
-    constexpr Tex kFrom = Step == 0 ? History : Step % 2 == 1 ? Scratch : Pong;
-    constexpr Tex kTo = Step % 2 == 0 ? Scratch : Pong;
+    constexpr Slot kFrom = Step == 0 ? Slot(each(History)) : choose(writesScratch<Step>, each(Pong), each(Scratch));
+    constexpr Slot kTo = choose(isLastStep<Step>, kEachOutput, choose(writesScratch<Step>, each(Scratch), each(Pong)));
     PassRow row = {name,
                    kAtrous,
                    {Tiles, ViewZ, NormalRoughness, Length, kDiffuseConfidence, kSpecularConfidence,
-                    only(kSpecular, Confidence), each(kFrom)},
-                   {choose(isLastStep<Step>, kEachOutput, each(kTo))},
+                    only(kSpecular, Confidence), kFrom},
+                   {kTo},
                    kGroup8x16,
                    runsStep<Step>,
                    {kMaterialTest, kConfidence, {SPEC_IS_LAST, isLastStep<Step>}}};
