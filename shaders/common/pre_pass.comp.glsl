@@ -116,7 +116,7 @@ Filtered prefilter(texture2D t, texture2D second, Pixel p, Lobe lobe, bool isSpe
     if (kIsOcclusion) own.value.x = centre.hitDist;
     if (lobe.maxRadius == 0.0 && centre.isValid) return Filtered(own, hitDist);
 
-    float radius = blurRadius(lobe, 1.0, hitDistFactor(hitDist, p.frustumSize), 1.0);
+    float radius = blurRadius(lobe, hitDistFactor(hitDist, p.frustumSize), 1.0);
     if (isSpecular) radius = limitSpecularRadius(p, lobe, hitDist, radius);
     float minHitDist = g.minHitDistanceWeight * kFractionScale * NRD_GetLobeSpread(lobe.roughness, 0.5);
     Weights w = makeWeights(p, lobe, isSpecular, kNarrowing, kFractionScale, minHitDist);

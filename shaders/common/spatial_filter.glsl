@@ -90,10 +90,10 @@ Weights makeWeights(Pixel p, Lobe lobe, bool isSpecular, float narrowing, float 
 }
 
 // Radius in pixels for a hit-distance factor; convergence scales the area, hence the root.
-float blurRadius(Lobe lobe, float scale, float hitDistFactor, float narrowing)
+float blurRadius(Lobe lobe, float hitDistFactor, float narrowing)
 {
     float spread = NRD_GetLobeSpread(lobe.roughness, 0.5);
-    float radius = saturate(scale * sqrt(hitDistFactor * narrowing)) * lobe.maxRadius * spread;
+    float radius = saturate(sqrt(hitDistFactor * narrowing)) * lobe.maxRadius * spread;
     return max(radius, g.minBlurRadius * spread);
 }
 

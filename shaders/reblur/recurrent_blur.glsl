@@ -1,5 +1,5 @@
-// Blur and post-blur: one routine, two parameter sets. Beside radiance, hit distances stay the centre's own: a blurred
-// one would steer the next frame's weights with its own output and posterise contact shadows.
+// Beside radiance, hit distances stay the centre's own: a blurred one would steer the next frame's weights with its own
+// output and posterise contact shadows.
 #ifndef RECURRENT_BLUR_GLSL
 #define RECURRENT_BLUR_GLSL
 #include "spatial_filter.glsl"
@@ -20,13 +20,6 @@ float signalWeight(Weights w, Signal centre, Signal other, float lumaTolerance)
     float bb = b * b; // over bb + a (a + b): heavy(a / 3 b)
     return (w.minHitDist * far + 1.0) * bb / (far * (a * (a + b) + bb));
 }
-
-struct BlurPass
-{
-    vec4 rotator;
-    float radiusScale;
-    float fractionScale;
-};
 
 // Where the history has settled, four taps of equal weight do as well as eight.
 const float kSettled = 0.15; // convergence of about 16 frames
@@ -62,22 +55,21 @@ Kernel shrunk(Kernel kernel)
     return kernel;
 }
 
-Signal blurLobe(texture2D t, texture2D second, Pixel p, Lobe lobe, bool isSpecular, ivec2 position, float narrowing,
-                BlurPass pass)
+Signal blurLobe(texture2D t, texture2D second, Pixel p, Lobe lobe, bool isSpecular, ivec2 position, float narrowing)
 {
     Signal centre = readSignal(t, second, position);
     float spread = NRD_GetLobeSpread(lobe.roughness, 0.5);
     float factor = hitDistFactor(getHitDist(centre.value.w, p.viewZ, lobe.roughness), p.frustumSize);
-    float radius = blurRadius(lobe, pass.radiusScale, factor, narrowing);
+    float radius = blurRadius(lobe, factor, narrowing);
     if (radius == 0.0) return centre;
     // Where the hit distance is the signal, a floor that fades would leave nothing to average.
-    float minHitDist = g.minHitDistanceWeight * pass.fractionScale * spread * (kIsBounded ? 1.0 : narrowing);
-    Weights w = makeWeights(p, lobe, isSpecular, narrowing, pass.fractionScale, minHitDist);
+    float minHitDist = g.minHitDistanceWeight * spread * (kIsBounded ? 1.0 : narrowing);
+    Weights w = makeWeights(p, lobe, isSpecular, narrowing, 1.0, minHitDist);
     Kernel kernel;
     if (isSpecular)
-        kernel = specularKernel(p, pass.rotator, factor, narrowing, radius);
+        kernel = specularKernel(p, g.rotatorBlur, factor, narrowing, radius);
     else
-        kernel = flatKernel(p, pass.rotator, diffuseSkew(p) * radius);
+        kernel = flatKernel(p, g.rotatorBlur, diffuseSkew(p) * radius);
     float lumaTolerance = kLumaTolerance * narrowing;
     Sum sum = Sum(centre, 1.0);
     // Few kernels reach beyond the screen: the others need not ask it of every tap.

@@ -64,7 +64,7 @@ TEST_CASE("occlusion is a scalar per lobe, with nothing of what only radiance ne
     CHECK(formatsOf(specular, "Track").empty()); // its history is a hit distance itself
     CHECK(formatsOf(specular, "TrackNew").empty());
     CHECK(formatsOf(specular, "Stab").empty());
-    CHECK(formatsOf(specular, "History") == Formats{Format::R16_UNORM});
+    CHECK(formatsOf(specular, "Pair") == Formats{Format::R16_UNORM});
     CHECK(formatsOf(specular, "Fast") == Formats{Format::R8_UNORM});
     CHECK(count(passOf(specular, "Temporal accumulation").reads, ResourceType::IN_DIFF_CONFIDENCE) == 0);
     CHECK(count(passOf(specular, "Split screen").writes, ResourceType::OUT_SPEC_HITDIST) == 1);
@@ -90,9 +90,8 @@ TEST_CASE("what is on its way lies in the output where that has room for it, els
     CHECK(formatsOf(expandOf(Denoiser::REBLUR_DIFFUSE_SPECULAR), "Work").empty());
     CHECK(formatsOf(expandOf(Denoiser::REBLUR_DIFFUSE_DIRECTIONAL_OCCLUSION), "Work").empty());
     CHECK(formatsOf(expandOf(Denoiser::RELAX_SPECULAR), "Pong").empty());
-    // An axis is kept in another form than it is returned in; hit distances are returned while they are read.
+    // An axis is kept in another form than it is returned in.
     CHECK(formatsOf(expandOf(Denoiser::REBLUR_DIFFUSE_SH), "Work") == Formats{Format::A2B10G10R10_UNORM_PACK32});
-    CHECK(formatsOf(expandOf(Denoiser::REBLUR_DIFFUSE_OCCLUSION), "Work") == Formats{Format::R16_UNORM});
 }
 
 // The shader list and the variant table have to be in the same order: the names tell.

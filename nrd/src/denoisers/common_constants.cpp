@@ -63,7 +63,7 @@ void fillFrame(const Request& request, shared::DenoiserConstants& g)
 
 void fillRotators(uint32_t frameIndex, shared::DenoiserConstants& g)
 {
-    // 22.5 degrees keep the taps of the post-blur off the directions of the blur.
+    // SIGMA blurs twice; 22.5 degrees keep the taps of the second blur off the directions of the first.
     constexpr double kPostBlurOffset = 0.39269908169872415481;
     const double blurAngle = kernelAngle(std::sqrt(1.0 / 3.0), frameIndex);
     g.rotatorPrePass = makeRotator(kernelAngle(std::sqrt(0.5), frameIndex));

@@ -26,6 +26,7 @@ enum Tex : uint8_t
     PrevLength,
     History,
     Fast,
+    Pair,
     Spread,
     Stab,
     Track
@@ -48,12 +49,13 @@ constexpr TextureRow kTextures[] = {
     {StabWeight, "StabWeight", perLobes(R8_UNORM, RG8_UNORM), Transient, 1, kStabilized},
     {VirtualAmount, "VirtualAmount", fixed(R8_UNORM), Transient, VIRTUAL_AMOUNT_STEP, kSpecular},
     {BlurLuma, "BlurLuma", perLobes(R16_SFLOAT, RG16_SFLOAT), Transient, 1, kStabilized},
-    {Work, "Work", kPerSignal, Lent},
+    {Work, "Work", kPerSignal, Lent, 1, kStabilized},
     {PrevViewZ, "PrevViewZ", fixed(R32_SFLOAT), Permanent},
     {PrevNormalRoughness, "PrevNormalRoughness", kGuide, Permanent},
     {PrevLength, "PrevLength", perLobes(R8_UINT, R16_UINT), Permanent},
-    {History, "History", kPerSignal, Permanent},
+    {History, "History", kPerSignal, Permanent, 1, kStabilized},
     {Fast, "Fast", kLuma, Permanent},
+    {Pair, "Pair", kPerSignal, PingPong, 1, kOcclusion},
     {Spread, "Spread", fixed(RGBA16_SFLOAT), PingPong, TILE_SIZE, kColor},
     {Stab, "Stab", perLobes(R16_SFLOAT, RG16_SFLOAT), Permanent, 1, kStabilized},
     {Track, "Track", fixed(R16_SFLOAT), PingPong, 1, kSpecularColor},
@@ -88,8 +90,12 @@ bool runsFireflyCap(const Conditions& c) { return runsPrePass(c) && hasAntiFiref
 
 // Signals go back and forth between two textures, since every pass but the first reads what another wrote around a
 // pixel: the history, once temporal accumulation has read it, and one more, which is the output where that is lent.
+// Occlusion, whose blur is its last pass, ends in the second one, and so the two change places from frame to frame.
+constexpr Slot kSteps[] = {only(kStabilized, each(Work)), only(kOcclusion, each(Pair))};
+constexpr Slot kHistories[] = {only(kStabilized, each(History)), only(kOcclusion, prevEach(Pair))};
 // Without a pre-pass the input is accumulated as it came, and nobody wrote a tracking distance.
-constexpr Slot kAccumulated = choose(hasPrePass, each(Work), kEachInput);
+constexpr Slot kAccumulated[] = {only(kStabilized, choose(hasPrePass, each(Work), kEachInput)),
+                                 only(kOcclusion, choose(hasPrePass, each(Pair), kEachInput))};
 constexpr Slot kTrackNew = only(kSpecularColor, optional(hasPrePass, TrackNew));
 // Without stabilisation nobody keeps this history up to date.
 constexpr Slot kStab = only(kStabilized, optional(hasStabilization, Stab));
@@ -106,8 +112,6 @@ constexpr ShaderSet kTemporalAccumulation = {Shader::ReblurTemporalAccumulationD
 constexpr ShaderSet kHistoryFix = {Shader::ReblurHistoryFixDiffuse,
                                    Shader::ReblurHistoryFixDiffuseDirectionalOcclusion};
 constexpr ShaderSet kBlur = {Shader::ReblurBlurDiffuse, Shader::ReblurBlurDiffuseDirectionalOcclusion};
-constexpr ShaderSet kPostBlur = {Shader::ReblurPostBlurDiffuseOcclusion,
-                                 Shader::ReblurPostBlurDiffuseSpecularOcclusion};
 constexpr ShaderSet kTemporalStabilization = {Shader::ReblurTemporalStabilizationDiffuse,
                                               Shader::ReblurTemporalStabilizationDiffuseDirectionalOcclusion};
 constexpr ShaderSet kSplitScreen = {Shader::ReblurSplitScreenDiffuse,
@@ -131,43 +135,34 @@ constexpr PassRow kPasses[] = {
     {"Pre-pass",
      kPrePass,
      {Tiles, ViewZ, NormalRoughness, kEachInput, only(kColor, optional(runsFireflyCap, Cap))},
-     {each(Work), only(kSpecularColor, TrackNew)},
+     {kSteps[0], kSteps[1], only(kSpecularColor, TrackNew)},
      kGroup8x16,
      runsPrePass,
      {kAntiFirefly, kMaterialTest}},
     {"Temporal accumulation",
      kTemporalAccumulation,
      {Tiles, ViewZ, NormalRoughness, Motion, PrevViewZ, PrevNormalRoughness, PrevLength, kCut, kThresholdMix,
-      kDiffuseConfidence, kSpecularConfidence, kAccumulated, each(History), Fast, kStab, kTrackNew,
+      kDiffuseConfidence, kSpecularConfidence, kAccumulated[0], kAccumulated[1], kHistories[0], kHistories[1], Fast, kStab, kTrackNew,
       only(kSpecularOcclusion, ResourceType::IN_SPEC_HITDIST), only(kSpecularColor, prev(Track)), kSpecularMotion},
-     {each(Work), FastTemp, Length, only(kStabilized, StabHistory), only(kStabilized, StabWeight),
+     {kSteps[0], kSteps[1], FastTemp, Length, only(kStabilized, StabHistory), only(kStabilized, StabWeight),
       only(kSpecularColor, Track), only(kSpecular, VirtualAmount)},
      kGroup8x16,
      isDenoised,
      {kPrePassSwitch, kStabilization, kMaterialTest, kConfidence, kDisocclusionMix}},
     {"History fix",
      kHistoryFix,
-     {Tiles, ViewZ, NormalRoughness, Length, each(Work), FastTemp, only(kSpecularColor, Track)},
-     {each(History), Fast, PrevViewZ, PrevNormalRoughness},
+     {Tiles, ViewZ, NormalRoughness, Length, kSteps[0], kSteps[1], FastTemp, only(kSpecularColor, Track)},
+     {kHistories[0], kHistories[1], Fast, PrevViewZ, PrevNormalRoughness},
      kGroup8x16,
      isDenoised,
      {kAntiFirefly, kMaterialTest}},
     {"Blur",
      kBlur,
-     {Tiles, ViewZ, NormalRoughness, Length, each(History)},
-     {each(Work), only(kStabilized, BlurLuma)},
+     {Tiles, ViewZ, NormalRoughness, Length, kHistories[0], kHistories[1]},
+     {kSteps[0], kSteps[1], only(kStabilized, BlurLuma), only(kOcclusion, kEachOutput), only(kOcclusion, PrevLength)},
      kGroup8x16,
      isDenoised,
      {kMaterialTest}},
-    {"Post-blur",
-     kPostBlur,
-     {Tiles, ViewZ, NormalRoughness, Length, each(Work)},
-     {each(History), kEachOutput, PrevLength},
-     kGroup8x16,
-     isDenoised,
-     {kMaterialTest},
-     1,
-     kOcclusion},
     {"Temporal stabilization",
      kTemporalStabilization,
      {Tiles, ViewZ, Length, StabHistory, StabWeight, BlurLuma, each(Work), only(kSpecular, NormalRoughness)},
