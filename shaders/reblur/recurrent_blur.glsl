@@ -25,6 +25,10 @@ float signalWeight(Weights w, Signal centre, Signal other, float lumaTolerance)
 const float kSettled = 0.15; // convergence of about 16 frames
 const float kSettledRadius = 0.8;
 
+// Fitted to the flicker of hit distances on the recorded sequences, as long as their error falls or stays.
+const float kNearRadius = 1.5; // pixels
+const float kSignalFloor = 4.0;
+
 struct Sum
 {
     Signal signal;
@@ -33,10 +37,9 @@ struct Sum
 
 // Unrolled and without a branch, so that the reads of all taps are under way at once. Needs gIn_ViewZ and
 // gIn_NormalRoughness.
-void addTaps(inout Sum sum, texture2D t, texture2D second, Pixel p, Lobe lobe, bool isSpecular, Kernel kernel,
-             Weights w, float lumaTolerance, bool mayFold, bool isSettled)
+void addTaps(inout Sum sum, Signal centre, texture2D t, texture2D second, Pixel p, Lobe lobe, bool isSpecular,
+             Kernel kernel, Weights w, float lumaTolerance, bool mayFold, bool isSettled)
 {
-    Signal centre = sum.signal;
     [[unroll]] for (int i = 0; i < (isSettled ? 4 : 8); i++)
     {
         Tap tap = readTap(gIn_ViewZ, gIn_NormalRoughness, p, lobe, isSpecular, w, tapPosition(kernel, i),
@@ -48,10 +51,10 @@ void addTaps(inout Sum sum, texture2D t, texture2D second, Pixel p, Lobe lobe, b
     }
 }
 
-Kernel shrunk(Kernel kernel)
+Kernel scaled(Kernel kernel, float scale)
 {
-    kernel.axes[0] *= kSettledRadius;
-    kernel.axes[1] *= kSettledRadius;
+    kernel.axes[0] *= scale;
+    kernel.axes[1] *= scale;
     return kernel;
 }
 
@@ -62,8 +65,8 @@ Signal blurLobe(texture2D t, texture2D second, Pixel p, Lobe lobe, bool isSpecul
     float factor = hitDistFactor(getHitDist(centre.value.w, p.viewZ, lobe.roughness), p.frustumSize);
     float radius = blurRadius(lobe, factor, narrowing);
     if (radius == 0.0) return centre;
-    // Where the hit distance is the signal, a floor that fades would leave nothing to average.
-    float minHitDist = g.minHitDistanceWeight * spread * (kIsBounded ? 1.0 : narrowing);
+    // Where the hit distance is the signal, a low floor or one that fades would leave nothing to average.
+    float minHitDist = g.minHitDistanceWeight * spread * (kIsBounded ? kSignalFloor : narrowing);
     Weights w = makeWeights(p, lobe, isSpecular, narrowing, 1.0, minHitDist);
     Kernel kernel;
     if (isSpecular)
@@ -74,11 +77,15 @@ Signal blurLobe(texture2D t, texture2D second, Pixel p, Lobe lobe, bool isSpecul
     Sum sum = Sum(centre, 1.0);
     // Few kernels reach beyond the screen: the others need not ask it of every tap.
     if (!isOnScreen(kernel))
-        addTaps(sum, t, second, p, lobe, isSpecular, kernel, w, lumaTolerance, true, false);
+        addTaps(sum, centre, t, second, p, lobe, isSpecular, kernel, w, lumaTolerance, true, false);
     else if (narrowing < kSettled)
-        addTaps(sum, t, second, p, lobe, isSpecular, shrunk(kernel), w, lumaTolerance, false, true);
+        addTaps(sum, centre, t, second, p, lobe, isSpecular, scaled(kernel, kSettledRadius), w, lumaTolerance, false, true);
     else
-        addTaps(sum, t, second, p, lobe, isSpecular, kernel, w, lumaTolerance, false, false);
+        addTaps(sum, centre, t, second, p, lobe, isSpecular, kernel, w, lumaTolerance, false, false);
+    // What nothing stabilises is calmed by pixels close by.
+    if (kIsOcclusion)
+        addTaps(sum, centre, t, second, p, lobe, isSpecular, scaled(kernel, kNearRadius / radius), w, lumaTolerance, true,
+                true);
     Signal result = scaled(sum.signal, 1.0 / sum.weight);
     if (!kIsBounded) result.value.w = centre.value.w;
     return result;
