@@ -2,6 +2,7 @@
 #include "catch.h"
 #include "hooks.h"
 #include "validated_device.h"
+#include <cstdio>
 #include <cstring>
 #include <rhi/vulkan.h>
 
@@ -86,6 +87,7 @@ void Session::create()
     std::vector<nrd::DenoiserDesc> denoisers;
     for (size_t i = 0; i < m_setups.size(); i++) denoisers.push_back({identifier(i), m_setups[i].denoiser});
     nrd::InstanceCreationDesc instanceDesc;
+    instanceDesc.messageSink = {keepMessage, this};
     instanceDesc.denoisers = denoisers.data();
     instanceDesc.denoisersNum = static_cast<uint32_t>(denoisers.size());
     nrd::IntegrationCreationDesc desc;
@@ -93,7 +95,7 @@ void Session::create()
     desc.resourceWidth = static_cast<uint16_t>(m_setups[0].size.x);
     desc.resourceHeight = static_cast<uint16_t>(m_setups[0].size.y);
     desc.framesInFlight = m_desc.framesInFlight;
-    desc.maxDenoiseCallsPerFrame = 1; // each denoiser once
+    desc.maxDenoiseCallsPerFrame = m_setups.size() > 1 ? 2 : 1; // the least: each denoiser is called once
     desc.isGpuTimingEnabled = m_desc.isGpuTimingEnabled;
     desc.isPassTracingEnabled = m_desc.isPassTracingEnabled;
     desc.createDefaultPipelines = m_desc.createDefaultPipelines;
@@ -103,7 +105,17 @@ void Session::create()
 void Session::destroy()
 {
     for (const std::unique_ptr<Slot>& slot : m_slots) collect(*slot);
-    integration.Destroy();
+    const auto destroyIt = [this]
+    {
+        integration.Destroy();
+        return nrd::Result::SUCCESS;
+    };
+    make("Destroy", destroyIt);
+}
+
+void Session::keepMessage(void* self, nrd::Result, const char* text)
+{
+    std::snprintf(static_cast<Session*>(self)->m_message, sizeof(m_message), "%s", text);
 }
 
 void Session::resize(glm::ivec2 size)

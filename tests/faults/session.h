@@ -47,12 +47,14 @@ public:
     std::function<void()> changeSettings; // within a frame, before it is denoised
     nrd::Identifier identifier(size_t denoiser) const { return static_cast<nrd::Identifier>(denoiser + 1); }
     nrd::Denoiser denoiser(size_t index) const { return m_setups[index].denoiser; }
-    uint64_t generation = 0; // of the images: another number makes their views anew
+    const char* message() const { return m_message; } // the last that the sink was given
+    uint64_t generation = 0;                          // of the images: another number makes their views anew
 
 private:
     struct Slot;
     void record(Slot& slot, size_t denoiser, const options::Frame& frame);
     void collect(Slot& slot);
+    static void keepMessage(void* self, nrd::Result result, const char* text);
 
     SessionDesc m_desc;
     std::vector<options::Setup> m_setups;
@@ -60,5 +62,6 @@ private:
     size_t m_next = 0;
     int m_lastIndex = -1;
     std::vector<Outputs> m_done;
+    char m_message[512] = ""; // no string: it comes while the heap is watched
 };
 } // namespace faults

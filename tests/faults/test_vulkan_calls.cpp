@@ -37,7 +37,7 @@ private:
         const Census before = census();
         const nrd::Result result = call();
         const Fault fault = takeFault();
-        const std::string message = session.integration.GetLastMessage();
+        const std::string message = session.message();
         INFO(name << ", " << (fault.function ? fault.function : "no fault") << ", VkResult " << fault.result << ": "
                   << message);
         if (!fault.function)
@@ -47,6 +47,7 @@ private:
         else
         {
             REQUIRE(result != nrd::Result::SUCCESS);
+            CHECK(message == session.integration.GetLastMessage());
             CHECK(std::count(message.begin(), message.end(), '\'') >= 2); // the object by its name
             if (std::strcmp(name, "Create") == 0) CHECK(toString(census()) == toString(before));
             if (std::strcmp(name, "Create") == 0) CHECK_FALSE(session.integration.IsCreated());
