@@ -2,6 +2,7 @@
 #include "catch.h"
 #include "long_form.h"
 #include "validated_device.h"
+#include <map>
 
 namespace faults
 {
@@ -62,11 +63,14 @@ Outputs restart(Session& session)
     return session.finish().back();
 }
 
-Outputs expectedOf(const SessionDesc& desc)
+const Outputs& expectedOf(const SessionDesc& desc)
 {
+    static std::map<std::vector<nrd::Denoiser>, Outputs> known;
+    Outputs& expected = known[desc.denoisers];
+    if (!expected.empty()) return expected;
     Session session(desc);
     session.create();
-    return restart(session);
+    return expected = restart(session);
 }
 
 void sweepCreation(Injector& injector, const SessionDesc& desc)
@@ -83,7 +87,7 @@ void sweepCreation(Injector& injector, const SessionDesc& desc)
 
 void sweepResizing(Injector& injector, const SessionDesc& desc)
 {
-    const Outputs expected = expectedOf(desc);
+    const Outputs& expected = expectedOf(desc);
     Session session(desc);
     injector.attach(session);
     session.create();
@@ -100,9 +104,29 @@ void sweepResizing(Injector& injector, const SessionDesc& desc)
     CHECK(isSame(restart(session), expected));
 }
 
+void sweepFirstFrame(Injector& injector, const SessionDesc& desc)
+{
+    const Outputs& expected = expectedOf(desc);
+    Session session(desc);
+    injector.attach(session);
+    forEachFault(injector,
+                 [&](size_t n)
+                 {
+                     injector.stop();
+                     session.create();
+                     injector.failNth(n);
+                     session.frame(0);
+                     injector.stop();
+                     (void)session.finish();
+                     session.destroy();
+                 });
+    session.create();
+    CHECK(isSame(restart(session), expected));
+}
+
 void sweepFrames(Injector& injector, const SessionDesc& desc)
 {
-    const Outputs expected = expectedOf(desc);
+    const Outputs& expected = expectedOf(desc);
     Session session(desc);
     injector.attach(session);
     session.create();

@@ -23,10 +23,11 @@ protected:
 void sweepCreation(Injector& injector, const SessionDesc& desc);
 void sweepResizing(Injector& injector, const SessionDesc& desc);
 void sweepFrames(Injector& injector, const SessionDesc& desc);
+void sweepFirstFrame(Injector& injector, const SessionDesc& desc); // which makes the pipelines; a session per fault
 
 /// The last of a few frames after a restart: equal for all sessions of this description, whatever they went through.
 Outputs restart(Session& session);
-Outputs expectedOf(const SessionDesc& desc); // of a session without faults
+const Outputs& expectedOf(const SessionDesc& desc); // of a session without faults
 
 SessionDesc smallSet();             // a denoiser of each family, but RELAX
 std::vector<SessionDesc> allSets(); // the small one; in the long form every denoiser alone as well

@@ -143,6 +143,9 @@ TEST_CASE("an integration survives the failure of any allocation of its calls", 
         resized += faultsIn(sweepResizing, desc);
         framed += faultsIn(sweepFrames, desc);
     }
+    SessionDesc reference = smallSet();
+    reference.denoisers = {nrd::Denoiser::REFERENCE}; // its pipelines are few and small
+    framed += faultsIn(sweepFirstFrame, reference);
     std::printf("FIGURE Failed allocations of integrations: %zu in Create, %zu in Resize, %zu in frames, survived and "
                 "reported\n",
                 created, resized, framed);

@@ -117,7 +117,7 @@ TEST_CASE("every pipeline, layout, sampler and view that fails at first is made 
     size_t faultNum = 0;
     for (const SessionDesc& desc : allSets())
     {
-        const Outputs expected = expectedOf(desc);
+        const Outputs& expected = expectedOf(desc);
         Session session(desc);
         VulkanInjector injector(0);
         injector.attach(session);
