@@ -68,7 +68,7 @@ Session::Session(const SessionDesc& desc) : m_desc(desc)
     for (const nrd::Denoiser denoiser : desc.denoisers)
     {
         options::Setup setup = options::makeSetup(denoiser, desc.size);
-        setup.speed = desc.isStill ? 0.0f : 0.05f;
+        setup.speed = 0.05f;
         m_setups.push_back(setup);
     }
     for (uint32_t i = 0; i < desc.framesInFlight; i++) m_slots.push_back(std::make_unique<Slot>());
@@ -184,13 +184,23 @@ void Session::record(Slot& slot, size_t denoiser, const options::Frame& frame)
                        VkAccessFlags(isWritten ? VK_ACCESS_SHADER_WRITE_BIT : VK_ACCESS_SHADER_READ_BIT),
                        VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT};
     }
+    const VkCommandBuffer commands = rhi::vulkanCommandBuffer(*slot.commands);
+    if (m_desc.isDiagnosed && denoiser == 0)
+        make("RecordDiagnosis", [&] { return integration.RecordDiagnosis(commands, pool); });
     const nrd::Identifier chosen = identifier(denoiser);
     nrd::DenoiseOptions denoiseOptions;
     denoiseOptions.restoreInitialStates = true;
-    const VkCommandBuffer commands = rhi::vulkanCommandBuffer(*slot.commands);
     make("Denoise", [&] { return integration.Denoise(commands, &chosen, 1, pool, denoiseOptions); });
     for (const auto& [type, format] : frame.formats)
         if (options::isOutput(type)) slot.image(denoiser, type, frame).download(*slot.commands);
+}
+
+void Session::diagnose()
+{
+    const nrd::Finding* findings = nullptr;
+    uint32_t findingNum = 0;
+    make("Diagnose", [&] { return integration.Diagnose(findings, findingNum, true); });
+    make("EndDiagnosis", [&] { return integration.EndDiagnosis(); });
 }
 
 void Session::collect(Slot& slot)

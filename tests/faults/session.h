@@ -18,7 +18,7 @@ struct SessionDesc
     bool isGpuTimingEnabled = false;
     bool isPassTracingEnabled = false;
     bool createDefaultPipelines = false;
-    bool isStill = false; // the camera
+    bool isDiagnosed = false; // each frame of the first denoiser, by a doctor of its own
 };
 
 /// What one frame's denoisers wrote, in their order.
@@ -42,6 +42,9 @@ public:
     void frame(int index, bool restarts = false);
     /// Waits for all frames; those that ended since the last call, in order.
     std::vector<Outputs> finish();
+
+    /// After finish(): what the doctor found, and its end.
+    void diagnose();
 
     nrd::NrdIntegration integration;
     std::function<void()> changeSettings; // within a frame, before it is denoised

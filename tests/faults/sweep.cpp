@@ -41,6 +41,13 @@ SessionDesc smallSet()
     return desc;
 }
 
+SessionDesc reblurAlone()
+{
+    SessionDesc desc = smallSet();
+    desc.denoisers = {nrd::Denoiser::REBLUR_DIFFUSE_SPECULAR};
+    return desc;
+}
+
 std::vector<SessionDesc> allSets()
 {
     std::vector<SessionDesc> sets = {smallSet()};
@@ -140,5 +147,25 @@ void sweepFrames(Injector& injector, const SessionDesc& desc)
                      (void)session.finish();
                  });
     CHECK(isSame(restart(session), expected));
+}
+
+void sweepDiagnosis(Injector& injector, const SessionDesc& desc)
+{
+    SessionDesc diagnosed = desc;
+    diagnosed.isDiagnosed = true;
+    Session session(diagnosed);
+    injector.attach(session);
+    session.create();
+    int index = 0;
+    session.frame(index++); // makes the pipelines of the denoisers
+    (void)session.finish();
+    session.diagnose();
+    forEachFault(injector,
+                 [&](size_t)
+                 {
+                     session.frame(index++);
+                     (void)session.finish();
+                     session.diagnose();
+                 });
 }
 } // namespace faults

@@ -24,11 +24,13 @@ void sweepCreation(Injector& injector, const SessionDesc& desc);
 void sweepResizing(Injector& injector, const SessionDesc& desc);
 void sweepFrames(Injector& injector, const SessionDesc& desc);
 void sweepFirstFrame(Injector& injector, const SessionDesc& desc); // which makes the pipelines; a session per fault
+void sweepDiagnosis(Injector& injector, const SessionDesc& desc);
 
 /// The last of a few frames after a restart: equal for all sessions of this description, whatever they went through.
 Outputs restart(Session& session);
 const Outputs& expectedOf(const SessionDesc& desc); // of a session without faults
 
 SessionDesc smallSet();             // a denoiser of each family, but RELAX
+SessionDesc reblurAlone();          // of which the doctor knows all inputs
 std::vector<SessionDesc> allSets(); // the small one; in the long form every denoiser alone as well
 } // namespace faults

@@ -38,7 +38,7 @@ void requireSame(const std::vector<Outputs>& a, const std::vector<Outputs>& b)
 }
 } // namespace
 
-TEST_CASE("the same inputs give the same bits twice and with 1, 2 and 3 frames in flight", "[gpu]")
+TEST_CASE("the same inputs give the same bits twice and with any number of frames in flight", "[gpu]")
 {
     Session session(allDenoisers(1));
     session.create();

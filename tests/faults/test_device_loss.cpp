@@ -8,6 +8,8 @@ using namespace faults;
 
 namespace
 {
+constexpr uint64_t kFramesBefore = 4; // that passesOf() begins
+
 std::vector<std::string> passesOf(Session& session)
 {
     session.frame(0);
@@ -50,6 +52,7 @@ TEST_CASE("a lost device is reported with the last pass that began", "[gpu]")
         const bool isBehind = i == passes.size(); // what hangs is not ours
         CHECK(last.name == passes[isBehind ? i - 1 : i]);
         CHECK(last.isFinished == isBehind);
+        CHECK(last.frame == kFramesBefore + 1 + i); // a NewFrame() that failed does not count
         CHECK_THAT(message, containing("device lost"));
         CHECK_THAT(message, containing(std::string("'") + last.name + "'"));
         CHECK_THAT(message, containing(isBehind ? ", finished" : ", not finished"));

@@ -146,7 +146,8 @@ TEST_CASE("an integration survives the failure of any allocation of its calls", 
     SessionDesc reference = smallSet();
     reference.denoisers = {nrd::Denoiser::REFERENCE}; // its pipelines are few and small
     framed += faultsIn(sweepFirstFrame, reference);
-    std::printf("FIGURE Failed allocations of integrations: %zu in Create, %zu in Resize, %zu in frames, survived and "
-                "reported\n",
-                created, resized, framed);
+    const size_t diagnosed = faultsIn(sweepDiagnosis, reblurAlone());
+    std::printf("FIGURE Failed allocations of integrations: %zu in Create, %zu in Resize, %zu in frames, %zu in "
+                "diagnoses, survived and reported\n",
+                created, resized, framed, diagnosed);
 }

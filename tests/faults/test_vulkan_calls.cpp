@@ -70,46 +70,53 @@ void requireNothingAlive()
     for (const std::string& name : unhooked()) FAIL_CHECK("no hook for " << name);
 }
 
-// In the long form each call fails with each of its results.
-size_t variantNum() { return test::isLong() ? 3 : 1; }
+using Sweep = void (*)(Injector&, const SessionDesc&);
 
-size_t faultsIn(void (*sweep)(Injector&, const SessionDesc&), const SessionDesc& desc)
+size_t faultsIn(Sweep sweep, const SessionDesc& desc, size_t variant)
+{
+    VulkanInjector injector(variant);
+    sweep(injector, desc);
+    requireNothingAlive();
+    return injector.faultNum();
+}
+
+size_t faultsIn(Sweep sweep)
 {
     size_t faultNum = 0;
-    for (size_t variant = 0; variant < variantNum(); variant++)
-    {
-        VulkanInjector injector(variant);
-        sweep(injector, desc);
-        faultNum += injector.faultNum();
-        requireNothingAlive();
-    }
+    size_t variant = 0;
+    for (const SessionDesc& desc : allSets()) faultNum += faultsIn(sweep, desc, variant++);
+    // Each call with each of its results.
+    for (variant = 1; variant < (test::isLong() ? 3u : 1u); variant++) faultNum += faultsIn(sweep, smallSet(), variant);
     return faultNum;
 }
 } // namespace
 
 TEST_CASE("every call of Vulkan that fails in Create comes back as a result, and nothing leaks", "[gpu]")
 {
-    size_t faultNum = 0;
-    for (const SessionDesc& desc : allSets()) faultNum += faultsIn(sweepCreation, desc);
+    size_t faultNum = faultsIn(sweepCreation);
     SessionDesc pipelines = smallSet();
     pipelines.denoisers = {nrd::Denoiser::REFERENCE};
     pipelines.createDefaultPipelines = true;
-    faultNum += faultsIn(sweepCreation, pipelines);
+    faultNum += faultsIn(sweepCreation, pipelines, 0);
     std::printf("FIGURE Faults of Vulkan in Create: %zu survived and reported\n", faultNum);
 }
 
 TEST_CASE("every call of Vulkan that fails in Resize leaves the old size in use", "[gpu]")
 {
-    size_t faultNum = 0;
-    for (const SessionDesc& desc : allSets()) faultNum += faultsIn(sweepResizing, desc);
+    const size_t faultNum = faultsIn(sweepResizing);
     std::printf("FIGURE Faults of Vulkan in Resize: %zu survived and reported\n", faultNum);
 }
 
 TEST_CASE("every call of Vulkan that fails in a frame can be made again in that frame", "[gpu]")
 {
-    size_t faultNum = 0;
-    for (const SessionDesc& desc : allSets()) faultNum += faultsIn(sweepFrames, desc);
+    const size_t faultNum = faultsIn(sweepFrames);
     std::printf("FIGURE Faults of Vulkan in frames: %zu survived and reported\n", faultNum);
+}
+
+TEST_CASE("every call of Vulkan that fails in a diagnosis can be made again in that frame", "[gpu]")
+{
+    std::printf("FIGURE Faults of Vulkan in diagnoses: %zu survived and reported\n",
+                faultsIn(sweepDiagnosis, reblurAlone(), 0));
 }
 
 TEST_CASE("every pipeline, layout, sampler and view that fails at first is made at the second attempt", "[gpu]")
