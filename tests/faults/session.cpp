@@ -92,6 +92,7 @@ void Session::create()
     instanceDesc.denoisersNum = static_cast<uint32_t>(denoisers.size());
     nrd::IntegrationCreationDesc desc;
     desc.native = hookedDevice();
+    if (m_desc.hasOldBarriers) desc.native.isSynchronization2Enabled = false;
     desc.resourceWidth = static_cast<uint16_t>(m_setups[0].size.x);
     desc.resourceHeight = static_cast<uint16_t>(m_setups[0].size.y);
     desc.framesInFlight = m_desc.framesInFlight;

@@ -18,7 +18,8 @@ struct SessionDesc
     bool isGpuTimingEnabled = false;
     bool isPassTracingEnabled = false;
     bool createDefaultPipelines = false;
-    bool isDiagnosed = false; // each frame of the first denoiser, by a doctor of its own
+    bool hasOldBarriers = false; // those of Vulkan 1.0
+    bool isDiagnosed = false;    // each frame of the first denoiser, by a doctor of its own
 };
 
 /// What one frame's denoisers wrote, in their order.

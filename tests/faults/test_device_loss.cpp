@@ -65,6 +65,7 @@ TEST_CASE("a lost device is reported with the last pass that began", "[gpu]")
 TEST_CASE("a pass that began before a resize keeps its name", "[gpu]")
 {
     SessionDesc desc = smallSet();
+    desc.hasOldBarriers = GENERATE(false, true);
     desc.framesInFlight = 2;
     Session session(desc);
     session.create();

@@ -45,6 +45,30 @@ std::unique_ptr<rhi::Buffer> makeBuffer(rhi::Device& device, rhi::BufferMemory m
     return device.createBuffer(desc);
 }
 
+struct Copies
+{
+    rhi::Texture& texture;
+    rhi::Buffer& upload;
+    rhi::Buffer& readback;
+    rhi::QueryPool& queries;
+};
+
+void record(rhi::CommandBuffer& commands, const Copies& copies)
+{
+    commands.begin();
+    commands.resetQueries(copies.queries, 0, 2);
+    commands.writeTimestamp(copies.queries, 0);
+    commands.barrier(rhi::TextureBarrier{&copies.texture, rhi::states::kUndefined, rhi::states::kTransferDst});
+    commands.copyBufferToTexture({&copies.texture, 0, &copies.upload, 0});
+    commands.barrier(rhi::TextureBarrier{&copies.texture, rhi::states::kTransferDst, rhi::states::kTransferSrc});
+    commands.copyTextureToBuffer({&copies.texture, 0, &copies.readback, 0});
+    commands.barrier(rhi::BufferBarrier{&copies.readback,
+                                        {rhi::Access::TransferWrite, rhi::Stage::Transfer},
+                                        {rhi::Access::HostRead, rhi::Stage::Host}});
+    commands.writeTimestamp(copies.queries, 1);
+    commands.end();
+}
+
 // A texture there and back, timed.
 void copyThereAndBack(rhi::Device& device)
 {
@@ -61,17 +85,7 @@ void copyThereAndBack(rhi::Device& device)
     const auto commands = device.createCommandBuffer("copies");
     const auto fence = device.createFence("end of copies");
     std::memset(upload->mapped(), 0x5A, upload->desc().size);
-    commands->begin();
-    commands->resetQueries(*queries, 0, 2);
-    commands->writeTimestamp(*queries, 0);
-    commands->barrier(rhi::TextureBarrier{texture.get(), rhi::states::kUndefined, rhi::states::kTransferDst});
-    commands->copyBufferToTexture({texture.get(), 0, upload.get(), 0});
-    commands->barrier(rhi::TextureBarrier{texture.get(), rhi::states::kTransferDst, rhi::states::kTransferSrc});
-    commands->copyTextureToBuffer({texture.get(), 0, readback.get(), 0});
-    commands->barrier(rhi::BufferBarrier{
-        readback.get(), {rhi::Access::TransferWrite, rhi::Stage::Transfer}, {rhi::Access::HostRead, rhi::Stage::Host}});
-    commands->writeTimestamp(*queries, 1);
-    commands->end();
+    record(*commands, {*texture, *upload, *readback, *queries});
 
     struct Idle // before what the device may use is destroyed, whatever failed
     {
