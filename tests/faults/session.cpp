@@ -30,11 +30,13 @@ nrd::NativeDevice hookedDevice()
 const options::Frame& cachedFrame(const options::Setup& setup, const std::vector<nrd::ResourceRequirement>& needs,
                                   int index)
 {
-    // The host traces them: once for all runs that show the same.
+    // The host traces them: once for all runs that show the same, and soaks show ever others.
+    constexpr size_t kMostFrames = 256;
     using Key = std::tuple<nrd::Denoiser, int, int, float, int>;
     static std::map<Key, options::Frame> frames;
     const Key key = {setup.denoiser, setup.size.x, setup.size.y, setup.speed, index};
     if (const auto it = frames.find(key); it != frames.end()) return it->second;
+    if (frames.size() == kMostFrames) frames.clear();
     return frames.emplace(key, options::makeFrame(setup, needs, index)).first->second;
 }
 } // namespace

@@ -65,7 +65,7 @@ TEST_CASE("thousands of frames of anything leave memory flat and misuse nothing"
 
 TEST_CASE("a long session on the device leaves device memory flat, and validation has nothing to say", "[gpu]")
 {
-    const int frameNum = test::isLong() ? 2000 : 60;
+    const int frameNum = test::isLong() ? 1000 : 60;
     const int lookNum = test::isLong() ? 10 : 2;
     SessionDesc desc;
     desc.denoisers = {nrd::Denoiser::REBLUR_DIFFUSE, nrd::Denoiser::SIGMA_SHADOW, nrd::Denoiser::REFERENCE};
