@@ -36,12 +36,14 @@ struct NrdIntegration::Impl
     Result failOnLoss(const rhi::Error& error)
     {
         const LastPass last = core ? core->lastPass() : LastPass{};
-        char where[256] = "; with isPassTracingEnabled it would say in which pass";
+        char where[256] = "";
         if (last.frame != 0)
             std::snprintf(where, sizeof(where), "; the last pass that began is '%s' of frame %llu, %s", last.name,
                           static_cast<unsigned long long>(last.frame), last.isFinished ? "finished" : "not finished");
-        else if (core && core->isTraced())
-            std::snprintf(where, sizeof(where), "; no pass of the last frames had begun");
+        else if (core)
+            std::snprintf(where, sizeof(where), "; %s",
+                          core->isTraced() ? "no pass of the last frames had begun"
+                                           : "with isPassTracingEnabled it would say in which pass");
         return fail(toResult(error.code()), error.what(), where);
     }
 
