@@ -29,6 +29,9 @@ public:
     /// of other frames is never overwritten.
     uint32_t push(const void* data, uint32_t byteSize);
 
+    /// Takes back what was pushed since there were `freeBlockCount` free blocks.
+    void rewind(uint32_t freeBlockCount) { m_usedBlocks = m_blocksPerFrame - freeBlockCount; }
+
     /// The one set that shows the buffer, for all frames and all pipelines that have constants.
     const rhi::DescriptorSet& descriptorSet(const rhi::Pipeline& pipeline);
 

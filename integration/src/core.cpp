@@ -16,6 +16,11 @@ constexpr uint32_t kMaxDenoiseCalls = 1024;
 constexpr uint64_t kIdleFrames = 8;
 constexpr size_t kWrappedCommandBuffers = 16;
 
+struct RetiredInstance final : Retirable
+{
+    UniqueInstance instance;
+};
+
 void checkSize(uint32_t width, uint32_t height)
 {
     if (width == 0) throw Refusal(Result::INVALID_ARGUMENT, "resourceWidth is 0, must be at least 1");
@@ -117,6 +122,8 @@ void Core::createFrameResources()
     m_constants.emplace(m_device, ring);
     const uint32_t timedPasses = m_desc.isGpuTimingEnabled ? totals.setsMaxNum * calls : 0;
     m_timer.emplace(m_device, m_desc.name, timedPasses, m_desc.framesInFlight);
+    const uint32_t tracedPasses = m_desc.isPassTracingEnabled ? totals.setsMaxNum * calls : 0;
+    m_trace.emplace(m_device, m_desc.name, tracedPasses, m_desc.framesInFlight);
     m_planner.emplace(maxResourceCount(instance));
 
     rhi::DescriptorPoolDesc pool;
@@ -171,12 +178,14 @@ void Core::resize(uint32_t width, uint32_t height)
             },
             denoiser.settings);
     std::unique_ptr<Pools> pools = createPools(*instance, width, height);
-    m_retired.reserve(2);
+    auto retired = std::make_unique<RetiredInstance>();
+    m_retired.reserve(3);
     // From here on nothing fails.
     m_retired.retire(m_frame, std::exchange(m_pools, std::move(pools)));
     endDiagnosis();
-    m_timer->drop(); // its names belong to the instance that goes
-    m_instance = std::move(instance);
+    m_timer->drop();                                                    // its names belong to the instance that goes
+    retired->instance = std::exchange(m_instance, std::move(instance)); // the trace still names passes of its frames
+    m_retired.retire(m_frame, std::move(retired));
     m_desc.resourceWidth = static_cast<uint16_t>(width);
     m_desc.resourceHeight = static_cast<uint16_t>(height);
     m_settingsFrame = 0;
@@ -189,14 +198,18 @@ void Core::resize(uint32_t width, uint32_t height)
 
 void Core::newFrame()
 {
-    m_frame++;
-    const uint32_t slot = static_cast<uint32_t>(m_frame % m_desc.framesInFlight);
+    // What can fail comes first: a frame that did not begin must not count, or the next one would take a slot in use.
+    const uint64_t frame = m_frame + 1;
+    const uint32_t slot = static_cast<uint32_t>(frame % m_desc.framesInFlight);
+    m_timer->collect(slot);
+    if (frame > m_desc.framesInFlight + kIdleFrames)
+        m_views.collect(frame - m_desc.framesInFlight - kIdleFrames, m_retired);
     m_descriptorPools[slot]->reset();
+    m_frame = frame;
     m_constants->beginFrame(slot);
     m_timer->beginFrame(m_frame, slot);
+    m_trace->beginFrame(m_frame, slot);
     m_dispatchesLeft = description().descriptorPoolDesc.setsMaxNum * m_desc.maxDenoiseCallsPerFrame;
-    if (m_frame > m_desc.framesInFlight + kIdleFrames)
-        m_views.collect(m_frame - m_desc.framesInFlight - kIdleFrames, m_retired);
     if (m_frame >= m_desc.framesInFlight) m_retired.collect(m_frame - m_desc.framesInFlight);
 }
 

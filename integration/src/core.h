@@ -38,6 +38,8 @@ public:
     void forget(VkImage image) { m_views.forget(image, m_retired); }
 
     Timings timings() const { return m_timer->timings(); }
+    LastPass lastPass() const { return m_trace->last(); }
+    bool isTraced() const { return m_desc.isPassTracingEnabled; }
     MemoryStatistics memoryStatistics() const;
     IntegrationStatistics statistics() const;
     const Instance& instance() const { return *m_instance; }
@@ -94,6 +96,7 @@ private:
     std::unique_ptr<Pools> m_pools;
     std::optional<ConstantRing> m_constants;
     std::optional<FrameTimer> m_timer;
+    std::optional<PassTrace> m_trace;
     std::optional<Planner> m_planner;
     std::vector<std::unique_ptr<rhi::DescriptorPool>> m_descriptorPools; // one per frame in flight
     std::vector<WrappedCommands> m_wrappedCommands;                      // the latest, round robin

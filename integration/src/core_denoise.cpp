@@ -21,7 +21,7 @@ void Core::denoise(VkCommandBuffer commandBuffer, rhi::Span<const Identifier> id
     for (const Identifier identifier : identifiers) find(identifier).isHistoryBroken = true; // until it is recorded
     if (isRepaired) check(SetCommonSettings(*m_instance, m_common)); // other identifiers of this frame keep theirs
     const Plan& plan = m_planner->plan(planContext(userPool), dispatches, dispatchCount, options);
-    record(commands, plan, description(), *m_timer, m_desc.name);
+    record(commands, plan, description(), {*m_timer, *m_trace}, m_desc.name);
     m_dispatchesLeft -= std::min(m_dispatchesLeft, dispatchCount);
     for (const Identifier identifier : identifiers)
     {

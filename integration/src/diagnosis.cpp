@@ -133,6 +133,8 @@ void Diagnosis::look(uint64_t lastFrame)
         for (const Copy& copy : oldest->copies)
             oldest->input.*copy.texels = static_cast<const float*>(copy.buffer->mapped());
         const Result result = m_doctor.AddFrame(oldest->input);
+        if (result == Result::FAILURE)
+            throw Refusal(result, "the doctor could not look at a frame: out of host memory");
         if (result != Result::SUCCESS) throw Refusal(result, m_doctor.GetLastMessage());
     }
 }

@@ -2,6 +2,7 @@
 #include "convert.h"
 #include "refusal.h"
 #include <algorithm>
+#include <utility>
 
 namespace nrd
 {
@@ -36,24 +37,30 @@ const Plan& Planner::plan(const PlanContext& context, const DispatchDesc* dispat
     {
         Planner& planner;
         Pools& pools;
+        ConstantRing& constants;
+        uint32_t freeBlockCount = constants.freeBlockCount();
         bool isArmed = true;
         ~Rollback()
         {
             if (!isArmed) return;
             std::swap(pools.states, planner.m_savedStates);
             std::swap(pools.bufferStates, planner.m_savedBufferStates);
+            constants.rewind(freeBlockCount);
         }
     };
     m_plan.clear();
     m_hasConstants = false;
     m_savedStates = context.pools.states;
     m_savedBufferStates = context.pools.bufferStates;
-    Rollback rollback{*this, context.pools};
+    if (std::exchange(m_setsFrame, context.frame) != context.frame) m_sets.clear();
+    m_takenSets = 0;
+    Rollback rollback{*this, context.pools, context.constants};
 
     enterUserStates(context);
     for (uint32_t i = 0; i < dispatchCount; i++) planDispatch(context, dispatches[i]);
     leaveUserStates(context, options);
     rollback.isArmed = false;
+    m_sets.erase(m_sets.begin(), m_sets.begin() + static_cast<std::ptrdiff_t>(m_takenSets));
     return m_plan;
 }
 
@@ -169,9 +176,22 @@ void Planner::planDescriptors(const PlanContext& context, const DispatchDesc& di
         }
         m_writes.push_back(write);
     }
-    rhi::DescriptorSet& set = context.descriptorPool.allocate(*planned.pipeline, context.instance.resourcesSet);
+    rhi::DescriptorSet& set = takeSet(context, *planned.pipeline);
     set.write(m_writes);
     planned.resources = &set;
+}
+
+rhi::DescriptorSet& Planner::takeSet(const PlanContext& context, const rhi::Pipeline& pipeline)
+{
+    size_t i = m_takenSets;
+    while (i < m_sets.size() && m_sets[i].pipeline != &pipeline) i++;
+    if (i == m_sets.size())
+    {
+        m_sets.reserve(m_sets.size() + 1); // before there is a set to lose
+        m_sets.push_back({&pipeline, &context.descriptorPool.allocate(pipeline, context.instance.resourcesSet)});
+    }
+    std::swap(m_sets[i], m_sets[m_takenSets]);
+    return *m_sets[m_takenSets++].set;
 }
 
 void Planner::planConstants(const PlanContext& context, const DispatchDesc& dispatch, PlannedDispatch& planned)
@@ -219,8 +239,8 @@ CachedImage& Planner::cachedImage(const PlanContext& context, ResourceType slot)
     return *cached;
 }
 
-void record(rhi::CommandBuffer& commands, const Plan& plan, const InstanceDesc& instance, FrameTimer& timer,
-            const char* label)
+void record(rhi::CommandBuffer& commands, const Plan& plan, const InstanceDesc& instance,
+            const PassObservers& observers, const char* label)
 {
     const rhi::TextureBarrier* const textures = plan.textureBarriers.data();
     const rhi::BufferBarrier* const buffers = plan.bufferBarriers.data();
@@ -231,10 +251,11 @@ void record(rhi::CommandBuffer& commands, const Plan& plan, const InstanceDesc& 
     uint32_t constantsOffset = 0;
 
     commands.beginLabel(label);
-    timer.beginCall(commands, static_cast<uint32_t>(plan.dispatches.size()));
+    observers.timer.beginCall(commands, static_cast<uint32_t>(plan.dispatches.size()));
     for (const PlannedDispatch& dispatch : plan.dispatches)
     {
         commands.beginLabel(dispatch.name);
+        observers.trace.beginPass(commands, dispatch.name);
         if (dispatch.textureBarrierEnd != textureBegin || dispatch.bufferBarrierEnd != bufferBegin)
             commands.barriers({textures + textureBegin, dispatch.textureBarrierEnd - textureBegin},
                               {buffers + bufferBegin, dispatch.bufferBarrierEnd - bufferBegin});
@@ -247,13 +268,14 @@ void record(rhi::CommandBuffer& commands, const Plan& plan, const InstanceDesc& 
         else
             commands.dispatch(dispatch.groups[0], dispatch.groups[1], 1);
         commands.endLabel();
-        timer.endPass(commands, dispatch.name);
+        observers.timer.endPass(commands, dispatch.name);
         pipeline = dispatch.pipeline;
         constants = dispatch.constants; // a pipeline without constants disturbs their set
         constantsOffset = dispatch.constantsOffset;
         textureBegin = dispatch.textureBarrierEnd;
         bufferBegin = dispatch.bufferBarrierEnd;
     }
+    observers.trace.endCall(commands);
     if (plan.textureBarriers.size() != textureBegin)
         commands.barriers({textures + textureBegin, plan.textureBarriers.size() - textureBegin}, {});
     commands.endLabel();

@@ -10,7 +10,14 @@ namespace nrd
 namespace
 {
 constexpr char kNotCreated[] = "Create() must succeed before any other call";
+
+// There is no object yet that could keep a message.
+Result failWithoutMemory(const MessageSink& sink)
+{
+    if (sink.report) sink.report(sink.userArg, Result::FAILURE, "Create(): out of host memory");
+    return Result::FAILURE;
 }
+} // namespace
 
 struct NrdIntegration::Impl
 {
@@ -19,15 +26,29 @@ struct NrdIntegration::Impl
     MessageSink sink;
     char message[512] = "";
 
-    Result fail(Result result, const char* text)
+    Result fail(Result result, const char* text, const char* more = "")
     {
-        std::snprintf(message, sizeof(message), "%s", text);
+        std::snprintf(message, sizeof(message), "%s%s", text, more);
         if (sink.report) sink.report(sink.userArg, result, message);
         return result;
     }
 
+    Result failOnLoss(const rhi::Error& error)
+    {
+        const LastPass last = core ? core->lastPass() : LastPass{};
+        char where[256] = "";
+        if (last.frame != 0)
+            std::snprintf(where, sizeof(where), "; the last pass that began is '%s' of frame %llu, %s", last.name,
+                          static_cast<unsigned long long>(last.frame), last.isFinished ? "finished" : "not finished");
+        else if (core)
+            std::snprintf(where, sizeof(where), "; %s",
+                          core->isTraced() ? "no pass of the last frames had begun"
+                                           : "with isPassTracingEnabled it would say in which pass");
+        return fail(toResult(error.code()), error.what(), where);
+    }
+
     // The one place where exceptions end.
-    template <class Body> Result guarded(Body&& body)
+    template <class Body> Result guarded(const char* call, Body&& body)
     {
         try
         {
@@ -40,32 +61,38 @@ struct NrdIntegration::Impl
         }
         catch (const rhi::Error& error)
         {
-            return fail(toResult(error.code()), error.what());
+            return error.code() == rhi::ErrorCode::DeviceLost ? failOnLoss(error)
+                                                              : fail(toResult(error.code()), error.what());
         }
-        catch (const std::exception& error) // memory of the host
+        catch (const std::bad_alloc&)
+        {
+            return fail(Result::FAILURE, call, "(): out of host memory");
+        }
+        catch (const std::exception& error)
         {
             return fail(Result::FAILURE, error.what());
         }
     }
 
     /// `self` may be null, before the first Create().
-    template <class Body> static Result withCore(Impl* self, Body&& body)
+    template <class Body> static Result withCore(Impl* self, const char* call, Body&& body)
     {
         if (!self) return Result::INVALID_ARGUMENT;
         if (!self->core) return self->fail(Result::INVALID_ARGUMENT, kNotCreated);
-        return self->guarded([&] { body(*self->core); });
+        return self->guarded(call, [&] { body(*self->core); });
     }
 
     Result create(rhi::Device* device, const IntegrationCreationDesc& desc, const InstanceCreationDesc& instanceDesc)
     {
         if (core) return fail(Result::INVALID_ARGUMENT, "Create() was called before: Destroy() must come in between");
         sink = instanceDesc.messageSink;
-        const Result result = guarded(
-            [&]
-            {
-                if (!device) ownedDevice = wrapDevice(desc.native);
-                core = std::make_unique<Core>(device ? *device : *ownedDevice, desc, instanceDesc);
-            });
+        const Result result =
+            guarded("Create",
+                    [&]
+                    {
+                        if (!device) ownedDevice = wrapDevice(desc.native);
+                        core = std::make_unique<Core>(device ? *device : *ownedDevice, desc, instanceDesc);
+                    });
         if (result != Result::SUCCESS) ownedDevice.reset();
         return result;
     }
@@ -113,14 +140,15 @@ NrdIntegration& NrdIntegration::operator=(NrdIntegration&&) noexcept = default;
 Result NrdIntegration::Create(const IntegrationCreationDesc& desc, const InstanceCreationDesc& instanceDesc)
 {
     if (!m_impl) m_impl.reset(new (std::nothrow) Impl);
-    return m_impl ? m_impl->create(nullptr, desc, instanceDesc) : Result::FAILURE;
+    return m_impl ? m_impl->create(nullptr, desc, instanceDesc) : failWithoutMemory(instanceDesc.messageSink);
 }
 
 Result IntegrationAccess::Create(NrdIntegration& integration, rhi::Device& device, const IntegrationCreationDesc& desc,
                                  const InstanceCreationDesc& instanceDesc)
 {
-    if (!integration.m_impl) integration.m_impl.reset(new (std::nothrow) NrdIntegration::Impl);
-    return integration.m_impl ? integration.m_impl->create(&device, desc, instanceDesc) : Result::FAILURE;
+    std::unique_ptr<NrdIntegration::Impl>& impl = integration.m_impl;
+    if (!impl) impl.reset(new (std::nothrow) NrdIntegration::Impl);
+    return impl ? impl->create(&device, desc, instanceDesc) : failWithoutMemory(instanceDesc.messageSink);
 }
 
 Pools& IntegrationAccess::GetPools(NrdIntegration& integration) { return integration.m_impl->core->pools(); }
@@ -130,43 +158,47 @@ bool NrdIntegration::IsCreated() const { return m_impl && m_impl->core; }
 
 Result NrdIntegration::Resize(uint16_t resourceWidth, uint16_t resourceHeight)
 {
-    return Impl::withCore(m_impl.get(), [&](Core& core) { core.resize(resourceWidth, resourceHeight); });
+    return Impl::withCore(m_impl.get(), "Resize", [&](Core& core) { core.resize(resourceWidth, resourceHeight); });
 }
 
 Result NrdIntegration::NewFrame()
 {
-    return Impl::withCore(m_impl.get(), [](Core& core) { core.newFrame(); });
+    return Impl::withCore(m_impl.get(), "NewFrame", [](Core& core) { core.newFrame(); });
 }
 
 Result NrdIntegration::SetCommonSettings(const CommonSettings& settings)
 {
-    return Impl::withCore(m_impl.get(), [&](Core& core) { core.setCommonSettings(settings); });
+    return Impl::withCore(m_impl.get(), "SetCommonSettings", [&](Core& core) { core.setCommonSettings(settings); });
 }
 
 Result NrdIntegration::SetDenoiserSettings(Identifier identifier, const ReblurSettings& settings)
 {
-    return Impl::withCore(m_impl.get(), [&](Core& core) { core.setDenoiserSettings(identifier, settings); });
+    return Impl::withCore(m_impl.get(), "SetDenoiserSettings",
+                          [&](Core& core) { core.setDenoiserSettings(identifier, settings); });
 }
 
 Result NrdIntegration::SetDenoiserSettings(Identifier identifier, const RelaxSettings& settings)
 {
-    return Impl::withCore(m_impl.get(), [&](Core& core) { core.setDenoiserSettings(identifier, settings); });
+    return Impl::withCore(m_impl.get(), "SetDenoiserSettings",
+                          [&](Core& core) { core.setDenoiserSettings(identifier, settings); });
 }
 
 Result NrdIntegration::SetDenoiserSettings(Identifier identifier, const SigmaSettings& settings)
 {
-    return Impl::withCore(m_impl.get(), [&](Core& core) { core.setDenoiserSettings(identifier, settings); });
+    return Impl::withCore(m_impl.get(), "SetDenoiserSettings",
+                          [&](Core& core) { core.setDenoiserSettings(identifier, settings); });
 }
 
 Result NrdIntegration::SetDenoiserSettings(Identifier identifier, const ReferenceSettings& settings)
 {
-    return Impl::withCore(m_impl.get(), [&](Core& core) { core.setDenoiserSettings(identifier, settings); });
+    return Impl::withCore(m_impl.get(), "SetDenoiserSettings",
+                          [&](Core& core) { core.setDenoiserSettings(identifier, settings); });
 }
 
 Result NrdIntegration::Denoise(VkCommandBuffer commandBuffer, const Identifier* identifiers, uint32_t identifiersNum,
                                NrdUserPool& userPool, const DenoiseOptions& options)
 {
-    return Impl::withCore(m_impl.get(),
+    return Impl::withCore(m_impl.get(), "Denoise",
                           [&](Core& core) {
                               core.denoise(commandBuffer, {identifiers, identifiersNum}, userPool, options);
                           });
@@ -174,14 +206,15 @@ Result NrdIntegration::Denoise(VkCommandBuffer commandBuffer, const Identifier* 
 
 Result NrdIntegration::RecordDiagnosis(VkCommandBuffer commandBuffer, NrdUserPool& userPool, NrdDiagnosisImages* images)
 {
-    return Impl::withCore(m_impl.get(), [&](Core& core) { core.recordDiagnosis(commandBuffer, userPool, images); });
+    return Impl::withCore(m_impl.get(), "RecordDiagnosis",
+                          [&](Core& core) { core.recordDiagnosis(commandBuffer, userPool, images); });
 }
 
 Result NrdIntegration::Diagnose(const Finding*& findings, uint32_t& findingsNum, bool isGpuIdle)
 {
     findings = nullptr;
     findingsNum = 0;
-    return Impl::withCore(m_impl.get(),
+    return Impl::withCore(m_impl.get(), "Diagnose",
                           [&](Core& core)
                           {
                               const rhi::Span<const Finding> result = core.diagnose(isGpuIdle);
@@ -192,20 +225,21 @@ Result NrdIntegration::Diagnose(const Finding*& findings, uint32_t& findingsNum,
 
 Result NrdIntegration::EndDiagnosis()
 {
-    return Impl::withCore(m_impl.get(), [](Core& core) { core.endDiagnosis(); });
+    return Impl::withCore(m_impl.get(), "EndDiagnosis", [](Core& core) { core.endDiagnosis(); });
 }
 
 Result NrdIntegration::Forget(VkImage image)
 {
-    return Impl::withCore(m_impl.get(), [&](Core& core) { core.forget(image); });
+    return Impl::withCore(m_impl.get(), "Forget", [&](Core& core) { core.forget(image); });
 }
 
 Timings NrdIntegration::GetTimings() const { return IsCreated() ? m_impl->core->timings() : Timings{}; }
+LastPass NrdIntegration::GetLastPass() const { return IsCreated() ? m_impl->core->lastPass() : LastPass{}; }
 
 MemoryStatistics NrdIntegration::GetMemoryStatistics() const
 {
     MemoryStatistics result;
-    if (IsCreated()) (void)m_impl->guarded([&] { result = m_impl->core->memoryStatistics(); });
+    if (IsCreated()) (void)m_impl->guarded("GetMemoryStatistics", [&] { result = m_impl->core->memoryStatistics(); });
     return result;
 }
 

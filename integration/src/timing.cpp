@@ -22,14 +22,14 @@ void FrameTimer::beginFrame(uint64_t frame, uint32_t slot)
 {
     if (m_slots.empty()) return;
     m_current = &m_slots[slot];
-    collect(*m_current);
     m_current->marks.clear();
     m_current->frame = frame;
 }
 
-void FrameTimer::collect(Slot& slot)
+void FrameTimer::collect(uint32_t slotIndex)
 {
-    if (slot.marks.empty()) return;
+    if (m_slots.empty() || m_slots[slotIndex].marks.empty()) return;
+    const Slot& slot = m_slots[slotIndex];
     const rhi::Span<uint64_t> ticks(m_ticks.data(), slot.marks.size());
     if (!slot.queries->read(0, ticks)) return; // a command buffer that was never submitted
     m_passes.clear();

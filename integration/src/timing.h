@@ -13,7 +13,9 @@ public:
     /// Does nothing if `passesPerFrame` is 0 or the device has no timestamps.
     FrameTimer(rhi::Device& device, const char* name, uint32_t passesPerFrame, uint32_t framesInFlight);
 
-    /// Collects the results of the frame that used this slot before, and starts `frame` in it.
+    /// Reads the results of the frame that used this slot before; throws rhi::Error, and can then be tried again.
+    void collect(uint32_t slot);
+    /// Starts `frame` in a slot whose results are read.
     void beginFrame(uint64_t frame, uint32_t slot);
     /// Before the passes of one call, outside of them: resets `passCount` + 1 queries and writes the first.
     void beginCall(rhi::CommandBuffer& commands, uint32_t passCount);
@@ -35,7 +37,6 @@ private:
         std::vector<Mark> marks; // one per query written
         uint64_t frame = 0;
     };
-    void collect(Slot& slot);
 
     std::vector<Slot> m_slots; // empty: no timing
     Slot* m_current = nullptr;

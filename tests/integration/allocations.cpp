@@ -1,23 +1,33 @@
 #include "allocations.h"
 #include <cstdlib>
 #include <new>
+#include <utility>
 
 namespace
 {
 thread_local bool isWatching = false;
 thread_local size_t allocationCount = 0;
 thread_local size_t failingAllocation = 0;
+thread_local ptrdiff_t liveBlocks = 0;
+
+void release(void* memory)
+{
+    if (isWatching && memory) liveBlocks--;
+    std::free(memory);
+}
 } // namespace
 
 // Replaces the program's own; the array and nothrow forms end here as well.
 void* operator new(std::size_t size)
 {
     if (isWatching && ++allocationCount == failingAllocation) throw std::bad_alloc();
-    if (void* memory = std::malloc(size ? size : 1)) return memory;
-    throw std::bad_alloc();
+    void* const memory = std::malloc(size ? size : 1);
+    if (!memory) throw std::bad_alloc();
+    if (isWatching) liveBlocks++;
+    return memory;
 }
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+void operator delete(void* memory) noexcept { release(memory); }
+void operator delete(void* memory, std::size_t) noexcept { release(memory); }
 
 namespace test
 {
@@ -29,4 +39,9 @@ AllocationWatch::AllocationWatch(size_t failAt)
 }
 AllocationWatch::~AllocationWatch() { isWatching = false; }
 size_t AllocationWatch::count() const { return allocationCount; }
+
+AllocationPause::AllocationPause() : m_wasWatching(std::exchange(isWatching, false)) {}
+AllocationPause::~AllocationPause() { isWatching = m_wasWatching; }
+
+ptrdiff_t liveAllocations() { return liveBlocks; }
 } // namespace test

@@ -14,4 +14,20 @@ public:
     AllocationWatch& operator=(const AllocationWatch&) = delete;
     size_t count() const;
 };
+
+/// Within a watch: what is taken or given back while it lives is nobody's.
+class AllocationPause
+{
+public:
+    AllocationPause();
+    ~AllocationPause();
+    AllocationPause(const AllocationPause&) = delete;
+    AllocationPause& operator=(const AllocationPause&) = delete;
+
+private:
+    bool m_wasWatching;
+};
+
+/// What this thread has taken under all its watches so far and not given back under one.
+ptrdiff_t liveAllocations();
 } // namespace test

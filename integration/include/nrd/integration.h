@@ -62,6 +62,7 @@ struct IntegrationCreationDesc
     LayoutPolicy layoutPolicy = LayoutPolicy::OPTIMAL;
     bool isGpuTimingEnabled = false;     // fills GetTimings()
     bool createDefaultPipelines = false; // those of the default settings in Create(), not at their first use
+    bool isPassTracingEnabled = false;   // fills GetLastPass(); passes no longer overlap, so for finding faults only
 };
 
 /// How an image was left, or must be found, between two uses: what an image barrier names on that side. States of
@@ -147,6 +148,15 @@ struct Timings
     float totalMilliseconds = 0.0f; // of all Denoise() calls of that frame
 };
 
+/// The last pass that the GPU began, as it wrote itself. After the loss of a device Vulkan calls the contents of mapped
+/// memory undefined; drivers leave them as they were.
+struct LastPass
+{
+    uint64_t frame = 0;      // the NewFrame() it belongs to, counted from 1; 0 = nothing known
+    const char* name = "";   // of the dispatch, "REBLUR_DIFFUSE_SPECULAR - Blur"
+    bool isFinished = false; // it and all others of its Denoise(): what came after them was running
+};
+
 /// Numbers for tests and overlays: what is alive now.
 struct IntegrationStatistics
 {
@@ -216,6 +226,10 @@ public:
 
     /// Valid until the next NewFrame(), Resize() or Destroy(). Never waits: of the frame `framesInFlight` frames ago.
     Timings GetTimings() const;
+
+    /// For the report of a lost device, at any time: of the last `framesInFlight` frames. The name is valid until the
+    /// next NewFrame() or Destroy(). Messages of calls that find the device lost have it too.
+    LastPass GetLastPass() const;
     MemoryStatistics GetMemoryStatistics() const;
     IntegrationStatistics GetStatistics() const;
 

@@ -209,6 +209,7 @@ try
 }
 catch (const std::exception&)
 {
+    m_impl->message = "out of memory";
     return Result::FAILURE;
 }
 

@@ -30,9 +30,9 @@ bool hasDeviceExtension(const Instance& instance, VkPhysicalDevice physicalDevic
 {
     const PFN_vkEnumerateDeviceExtensionProperties enumerate = instance.load()("vkEnumerateDeviceExtensionProperties");
     uint32_t count = 0;
-    if (enumerate(physicalDevice, nullptr, &count, nullptr) < VK_SUCCESS) return false;
+    check(enumerate(physicalDevice, nullptr, &count, nullptr), "Vulkan", "extensions of a device");
     std::vector<VkExtensionProperties> extensions(count);
-    if (enumerate(physicalDevice, nullptr, &count, extensions.data()) < VK_SUCCESS) return false;
+    check(enumerate(physicalDevice, nullptr, &count, extensions.data()), "Vulkan", "extensions of a device");
     const auto isIt = [&](const VkExtensionProperties& e) { return std::strcmp(e.extensionName, name) == 0; };
     return std::any_of(extensions.begin(), extensions.end(), isIt);
 }

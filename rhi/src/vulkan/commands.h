@@ -42,10 +42,5 @@ private:
     UniqueCommandPool m_pool; // empty when the application lent us the command buffer
     VkCommandBuffer m_commandBuffer = VK_NULL_HANDLE;
     const Pipeline* m_pipeline = nullptr;
-    // Kept from batch to batch, so that recording allocates nothing.
-    std::vector<VkImageMemoryBarrier2> m_imageBarriers2;
-    std::vector<VkBufferMemoryBarrier2> m_bufferBarriers2;
-    std::vector<VkImageMemoryBarrier> m_imageBarriers;
-    std::vector<VkBufferMemoryBarrier> m_bufferBarriers;
 };
 } // namespace rhi::vulkan

@@ -78,8 +78,9 @@ rhi::DescriptorSet& DescriptorPool::allocate(const rhi::Pipeline& pipeline, uint
     info.descriptorSetCount = 1;
     info.pSetLayouts = &vkLayout;
     VkDescriptorSet handle = VK_NULL_HANDLE;
-    check(m_context.fn.allocateDescriptorSets(m_context.device, &info, &handle), "descriptor pool", name());
+    // First what the driver's set would be lost without.
     if (m_usedSets == m_sets.size()) m_sets.push_back(std::make_unique<DescriptorSet>(*this));
+    check(m_context.fn.allocateDescriptorSets(m_context.device, &info, &handle), "descriptor pool", name());
     for (size_t i = 0; i < m_used.size(); i++) m_used[i] += layout.typeCounts[i];
     DescriptorSet& result = *m_sets[m_usedSets++];
     result.assign(handle, layout);

@@ -16,9 +16,11 @@ bool hasExtension(const Loader& load, const char* layer, const char* name)
 {
     const PFN_vkEnumerateInstanceExtensionProperties enumerate = load("vkEnumerateInstanceExtensionProperties");
     uint32_t count = 0;
-    if (enumerate(layer, &count, nullptr) < VK_SUCCESS) return false; // the layer is not installed
+    const VkResult result = enumerate(layer, &count, nullptr);
+    if (result == VK_ERROR_LAYER_NOT_PRESENT) return false;
+    check(result, "Vulkan", "extensions");
     std::vector<VkExtensionProperties> extensions(count);
-    if (enumerate(layer, &count, extensions.data()) < VK_SUCCESS) return false;
+    check(enumerate(layer, &count, extensions.data()), "Vulkan", "extensions");
     const auto isIt = [&](const VkExtensionProperties& e) { return std::strcmp(e.extensionName, name) == 0; };
     return std::any_of(extensions.begin(), extensions.end(), isIt);
 }

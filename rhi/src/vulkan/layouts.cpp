@@ -77,10 +77,10 @@ const PipelineLayout& LayoutCache::find(Span<const BindingDesc> bindings)
     auto info = vkStruct<VkPipelineLayoutCreateInfo>(VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO);
     info.setLayoutCount = setCount;
     info.pSetLayouts = handles.data();
+    auto layout = std::make_unique<PipelineLayout>(); // before there is a handle to lose
     VkPipelineLayout handle = VK_NULL_HANDLE;
     check(m_context.fn.createPipelineLayout(m_context.device, &info, m_context.callbacks, &handle), "pipeline layout",
           "shared");
-    auto layout = std::make_unique<PipelineLayout>();
     layout->owner = UniquePipelineLayout(m_context, handle);
     layout->sets = sets;
     return *m_layouts.emplace(std::move(sets), std::move(layout)).first->second;
