@@ -78,14 +78,17 @@ Signal blurLobe(texture2D t, texture2D second, Pixel p, Lobe lobe, bool isSpecul
     // Few kernels reach beyond the screen: the others need not ask it of every tap.
     if (!isOnScreen(kernel))
         addTaps(sum, centre, t, second, p, lobe, isSpecular, kernel, w, lumaTolerance, true, false);
-    else if (narrowing < kSettled)
-        addTaps(sum, centre, t, second, p, lobe, isSpecular, scaled(kernel, kSettledRadius), w, lumaTolerance, false, true);
-    else
+    else if (narrowing >= kSettled)
         addTaps(sum, centre, t, second, p, lobe, isSpecular, kernel, w, lumaTolerance, false, false);
+    else
+        addTaps(sum, centre, t, second, p, lobe, isSpecular, scaled(kernel, kSettledRadius), w, lumaTolerance, false,
+                true);
     // What nothing stabilises is calmed by pixels close by.
     if (kIsOcclusion)
-        addTaps(sum, centre, t, second, p, lobe, isSpecular, scaled(kernel, kNearRadius / radius), w, lumaTolerance, true,
-                true);
+    {
+        Kernel near = scaled(kernel, kNearRadius / radius);
+        addTaps(sum, centre, t, second, p, lobe, isSpecular, near, w, lumaTolerance, true, true);
+    }
     Signal result = scaled(sum.signal, 1.0 / sum.weight);
     if (!kIsBounded) result.value.w = centre.value.w;
     return result;

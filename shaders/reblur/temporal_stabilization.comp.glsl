@@ -32,7 +32,8 @@ layout(set = SET_RESOURCES, binding = FIRST_HISTORY + LOBE_NUM - 1) uniform writ
 #if IS_SH
 layout(set = SET_RESOURCES, binding = 5 + 2 * LOBE_NUM) uniform texture2D gIn_SpecularSh;
 layout(set = SET_RESOURCES, binding = FIRST_OUT + 2 * LOBE_NUM - 1) uniform writeonly image2D gOut_SpecularSh;
-layout(set = SET_RESOURCES, binding = FIRST_HISTORY + 2 * LOBE_NUM - 1) uniform writeonly image2D gOut_SpecularHistorySh;
+layout(set = SET_RESOURCES, binding = FIRST_HISTORY + 2 * LOBE_NUM - 1)
+uniform writeonly image2D gOut_SpecularHistorySh;
 #endif
 #endif
 layout(set = SET_RESOURCES, binding = FIRST_HISTORY + SIGNAL_NUM) uniform writeonly image2D gOut_Stab;
