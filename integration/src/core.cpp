@@ -135,7 +135,7 @@ void Core::createFrameResources()
     {
         const std::string name = sentence("%s descriptors %u", m_desc.name, i);
         pool.name = name.c_str();
-        m_descriptorPools.push_back(m_device.createDescriptorPool(pool));
+        m_frameSets.emplace_back(m_device, pool);
     }
     m_wrappedCommands.resize(kWrappedCommandBuffers);
 }
@@ -182,6 +182,7 @@ void Core::resize(uint32_t width, uint32_t height)
     m_retired.reserve(3);
     // From here on nothing fails.
     m_retired.retire(m_frame, std::exchange(m_pools, std::move(pools)));
+    m_views.outdate();
     endDiagnosis();
     m_timer->drop();                                                    // its names belong to the instance that goes
     retired->instance = std::exchange(m_instance, std::move(instance)); // the trace still names passes of its frames
@@ -204,7 +205,7 @@ void Core::newFrame()
     m_timer->collect(slot);
     if (frame > m_desc.framesInFlight + kIdleFrames)
         m_views.collect(frame - m_desc.framesInFlight - kIdleFrames, m_retired);
-    m_descriptorPools[slot]->reset();
+    m_frameSets[slot].beginFrame();
     m_frame = frame;
     m_constants->beginFrame(slot);
     m_timer->beginFrame(m_frame, slot);

@@ -98,8 +98,8 @@ private:
     std::optional<FrameTimer> m_timer;
     std::optional<PassTrace> m_trace;
     std::optional<Planner> m_planner;
-    std::vector<std::unique_ptr<rhi::DescriptorPool>> m_descriptorPools; // one per frame in flight
-    std::vector<WrappedCommands> m_wrappedCommands;                      // the latest, round robin
+    std::vector<FrameSets> m_frameSets;             // one per frame in flight
+    std::vector<WrappedCommands> m_wrappedCommands; // the latest, round robin
     size_t m_nextWrapped = 0;
 
     std::unique_ptr<Diagnosis> m_diagnosis; // null: not asked for

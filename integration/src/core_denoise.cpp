@@ -90,12 +90,8 @@ bool Core::repairHistory(rhi::Span<const Identifier> identifiers)
 PlanContext Core::planContext(NrdUserPool& userPool)
 {
     const size_t slot = static_cast<size_t>(m_frame % m_desc.framesInFlight);
-    return {m_device,    description(),
-            m_pipelines, *m_constants,
-            *m_pools,    m_views,
-            m_retired,   *m_descriptorPools[slot],
-            userPool,    m_desc.layoutPolicy,
-            m_frame};
+    return {m_device,  description(),     m_pipelines, *m_constants,        *m_pools, m_views,
+            m_retired, m_frameSets[slot], userPool,    m_desc.layoutPolicy, m_frame};
 }
 
 rhi::CommandBuffer& Core::wrap(VkCommandBuffer commandBuffer)

@@ -52,15 +52,14 @@ const Plan& Planner::plan(const PlanContext& context, const DispatchDesc* dispat
     m_hasConstants = false;
     m_savedStates = context.pools.states;
     m_savedBufferStates = context.pools.bufferStates;
-    if (std::exchange(m_setsFrame, context.frame) != context.frame) m_sets.clear();
-    m_takenSets = 0;
+    context.sets.beginCall();
     Rollback rollback{*this, context.pools, context.constants};
 
     enterUserStates(context);
     for (uint32_t i = 0; i < dispatchCount; i++) planDispatch(context, dispatches[i]);
     leaveUserStates(context, options);
     rollback.isArmed = false;
-    m_sets.erase(m_sets.begin(), m_sets.begin() + static_cast<std::ptrdiff_t>(m_takenSets));
+    context.sets.endCall();
     return m_plan;
 }
 
@@ -176,22 +175,8 @@ void Planner::planDescriptors(const PlanContext& context, const DispatchDesc& di
         }
         m_writes.push_back(write);
     }
-    rhi::DescriptorSet& set = takeSet(context, *planned.pipeline);
-    set.write(m_writes);
-    planned.resources = &set;
-}
-
-rhi::DescriptorSet& Planner::takeSet(const PlanContext& context, const rhi::Pipeline& pipeline)
-{
-    size_t i = m_takenSets;
-    while (i < m_sets.size() && m_sets[i].pipeline != &pipeline) i++;
-    if (i == m_sets.size())
-    {
-        m_sets.reserve(m_sets.size() + 1); // before there is a set to lose
-        m_sets.push_back({&pipeline, &context.descriptorPool.allocate(pipeline, context.instance.resourcesSet)});
-    }
-    std::swap(m_sets[i], m_sets[m_takenSets]);
-    return *m_sets[m_takenSets++].set;
+    planned.resources = &context.sets.take(*planned.pipeline, context.instance.resourcesSet, m_writes,
+                                           context.views.generation());
 }
 
 void Planner::planConstants(const PlanContext& context, const DispatchDesc& dispatch, PlannedDispatch& planned)

@@ -2,6 +2,7 @@
 // sets, constants) and decides the barriers; recording cannot fail.
 #pragma once
 #include "constant_ring.h"
+#include "frame_sets.h"
 #include "pass_trace.h"
 #include "pipelines.h"
 #include "pools.h"
@@ -45,7 +46,7 @@ struct PlanContext
     Pools& pools;
     ViewCache& views;
     RetireQueue& retired;
-    rhi::DescriptorPool& descriptorPool; // of the frame
+    FrameSets& sets; // of the frame
     NrdUserPool& userPool;
     LayoutPolicy layoutPolicy;
     uint64_t frame;
@@ -67,11 +68,6 @@ private:
         uint32_t state = 0; // index in Pools::states; slots with one image share it
         rhi::TextureState initial = {};
     };
-    struct FrameSet
-    {
-        const rhi::Pipeline* pipeline;
-        rhi::DescriptorSet* set;
-    };
 
     void enterUserStates(const PlanContext& context);
     void leaveUserStates(const PlanContext& context, const DenoiseOptions& options);
@@ -84,17 +80,11 @@ private:
     const rhi::Texture& textureOf(const PlanContext& context, uint32_t stateIndex);
     const rhi::TextureView& viewOf(const PlanContext& context, const ResourceDesc& resource);
     CachedImage& cachedImage(const PlanContext& context, ResourceType slot);
-    rhi::DescriptorSet& takeSet(const PlanContext& context, const rhi::Pipeline& pipeline);
 
     Plan m_plan;
     UserSlot m_slots[NrdUserPool::kSlotsNum];
     std::vector<Transition> m_transitions;
     std::vector<rhi::DescriptorWrite> m_writes;
-    // Of the frame's pool, which cannot take single sets back: those of this call, then those that calls which failed
-    // in this frame have left for the next.
-    std::vector<FrameSet> m_sets;
-    size_t m_takenSets = 0;
-    uint64_t m_setsFrame = 0;
     StateTracker m_savedStates;
     std::vector<rhi::BufferState> m_savedBufferStates;
     bool m_hasConstants = false;    // an earlier dispatch of this call stored some,

@@ -69,6 +69,7 @@ template <class Predicate> void ViewCache::retireIf(Predicate predicate, RetireQ
         queue.retire(frame, std::move(m_images[i]));
         m_images[i] = std::move(m_images.back());
         m_images.pop_back();
+        outdate();
     }
 }
 

@@ -49,11 +49,15 @@ public:
     void collect(uint64_t oldestFrame, RetireQueue& queue);
     void forget(VkImage image, RetireQueue& queue);
     uint32_t size() const { return static_cast<uint32_t>(m_images.size()); }
+    /// Changes when a view goes, of these or, by outdate(), of the pools: a new one may have its address.
+    uint64_t generation() const { return m_generation; }
+    void outdate() { m_generation++; }
 
 private:
     template <class Predicate> void retireIf(Predicate predicate, RetireQueue& queue);
 
     rhi::Device& m_device;
     std::vector<std::unique_ptr<CachedImage>> m_images;
+    uint64_t m_generation = 0;
 };
 } // namespace nrd

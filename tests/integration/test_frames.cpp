@@ -105,11 +105,14 @@ TEST_CASE("no descriptor set is written or reset while a frame that uses it is p
     std::map<uint64_t, std::string> poolOf;  // by set
     std::set<uint64_t> written;
     uint32_t resetCount = 0;
-    for (uint32_t frame = 1; frame <= 12; frame++)
+    for (uint32_t frame = 1; frame <= 80; frame++)
     {
         f.device->clearCalls();
+        // Other images at every third frame, for a while: sets that say so pile up.
+        if (frame < 20 && frame % 3 == 0) f.pool[nrd::ResourceType::IN_SIGNAL] = f.image(0x1000 + frame);
         f.beginFrame();
         require(f.denoise(), f.integration);
+        if (frame == 80) CHECK(f.count(CallType::WriteSet) == 0); // nothing has changed for as long as sets are kept
         for (const rhi::RecordedCall& call : f.device->calls())
         {
             if (call.type == CallType::ResetPool && lastUse.count(call.name))
@@ -122,7 +125,7 @@ TEST_CASE("no descriptor set is written or reset while a frame that uses it is p
             if (call.type == CallType::BindSet) lastUse[poolOf[call.handle]] = frame;
         }
     }
-    CHECK(resetCount == 12 - f.desc.framesInFlight);
+    CHECK(resetCount > 0);
 }
 
 TEST_CASE("pool textures begin undefined, and history stays where it is", "[unit]")
