@@ -9,15 +9,30 @@ thread_local size_t allocationCount = 0;
 thread_local size_t failingAllocation = 0;
 } // namespace
 
-// Replaces the program's own; the array and nothrow forms end here as well.
+// Replaces the program's own, in all forms but the aligned ones: those a sanitizer brings would not fit to these.
 void* operator new(std::size_t size)
 {
     if (isWatching && ++allocationCount == failingAllocation) throw std::bad_alloc();
     if (void* memory = std::malloc(size ? size : 1)) return memory;
     throw std::bad_alloc();
 }
+void* operator new[](std::size_t size) { return operator new(size); }
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept
+{
+    try
+    {
+        return operator new(size);
+    }
+    catch (const std::bad_alloc&)
+    {
+        return nullptr;
+    }
+}
+void* operator new[](std::size_t size, const std::nothrow_t& tag) noexcept { return operator new(size, tag); }
 void operator delete(void* memory) noexcept { std::free(memory); }
 void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+void operator delete[](void* memory) noexcept { std::free(memory); }
+void operator delete[](void* memory, std::size_t) noexcept { std::free(memory); }
 
 namespace test
 {
