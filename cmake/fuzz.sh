@@ -17,5 +17,5 @@ cmake --build build-fuzz -j "${JOBS:-$(nproc)}" --target "nrd-fuzz-$target"
 corpus=build-fuzz/corpus/$target
 mkdir -p "$corpus"
 export LSAN_OPTIONS=suppressions=$PWD/cmake/leaks_of_others.txt:print_suppressions=0
-exec "build-fuzz/bin/nrd-fuzz-$target" -max_len=1024 -max_total_time="$seconds" -print_final_stats=1 \
+exec "build-fuzz/bin/nrd-fuzz-$target" -max_len=1024 -max_total_time="$seconds" -len_control=0 -print_final_stats=1 \
     -artifact_prefix="$corpus.broken-" "$corpus"

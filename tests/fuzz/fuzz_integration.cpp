@@ -57,7 +57,7 @@ private:
     DenoiserDesc m_denoisers[kMaxDenoiserNum];
     uint32_t m_denoiserNum = 0;
     uint32_t m_width = 0, m_height = 0;
-    uint32_t m_frameIndex = 0;
+    uint32_t m_frameIndex = 0; // of the last frame
     sample::ReplaySettings m_settings = {test::makeCommon(), {}, {}, {}, {}};
     uint32_t m_reportNum = 0;
 };
@@ -207,7 +207,9 @@ void Calls::setCommon()
     if (m_reader.below(2) == 0) check(m_integration.NewFrame());
     if (m_reader.below(2) == 0) m_settings.common = nextFrame();
     if (m_reader.below(2) == 0) fuzz::changeSettings(m_settings, sample::Family::None, m_reader);
-    check(m_integration.SetCommonSettings(m_settings.common));
+    const Result result = m_integration.SetCommonSettings(m_settings.common);
+    if (result == Result::SUCCESS) m_frameIndex = m_settings.common.frameIndex; // the next may not repeat it
+    check(result);
 }
 
 void Calls::setDenoiser()
