@@ -10,6 +10,7 @@ if(NRD_WERROR)
     target_compile_options(nrd_warnings INTERFACE -Werror)
 endif()
 if(NRD_SANITIZE)
-    target_compile_options(nrd_warnings INTERFACE -fsanitize=${NRD_SANITIZE} -fno-omit-frame-pointer)
+    target_compile_options(nrd_warnings INTERFACE
+        -fsanitize=${NRD_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
     target_link_options(nrd_warnings INTERFACE -fsanitize=${NRD_SANITIZE})
 endif()

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
 # Installs what the build and the tests need on Debian 12 or newer: only what is missing, with sudo only where needed.
+# With --sanitize also Clang and the run time of its sanitizers.
 set -euo pipefail
 
 packages=(
@@ -9,6 +10,11 @@ packages=(
     libglm-dev libtinygltf-dev libstb-dev nlohmann-json3-dev libopenexr-dev libembree-dev libcli11-dev catch2
     libtinyexr-dev zlib1g-dev # for the program that renders the recorded test sequences
 )
+case "${1:-}" in
+    "") ;;
+    --sanitize) packages+=(clang libclang-rt-dev llvm) ;; # llvm: names in the stacks that sanitizers print
+    *) echo "usage: $0 [--sanitize]" >&2; exit 2 ;;
+esac
 
 missing=()
 for package in "${packages[@]}"; do

@@ -1,12 +1,15 @@
-// NRD_TEST_LONG in the environment asks for the long form of what has one.
+// How much a test does, by the environment: the short form; the middle one of every landing, with NRD_TEST_MIDDLE; or
+// all, with NRD_TEST_LONG. Suites with a middle form have the label "middle".
 #pragma once
 #include <cstdlib>
 
 namespace test
 {
-inline bool isLong()
+inline bool isSet(const char* variable)
 {
-    const char* value = std::getenv("NRD_TEST_LONG");
+    const char* value = std::getenv(variable);
     return value && *value;
 }
+inline bool isLong() { return isSet("NRD_TEST_LONG"); }
+inline bool isMiddle() { return isSet("NRD_TEST_MIDDLE") || isLong(); } // at least
 } // namespace test

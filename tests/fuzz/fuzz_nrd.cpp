@@ -1,10 +1,8 @@
 // Every public call of the library in any order, with arbitrary values in every field and null wherever it is allowed.
+#include "arbitrary_settings.h"
 #include "dispatch_promises.h"
 #include "fuzz.h"
-#include "replay_settings.h"
 #include "valid_settings.h"
-
-#include <limits>
 
 namespace
 {
@@ -14,45 +12,6 @@ using namespace nrd;
 
 constexpr uint32_t kMaxDenoiserNum = 6;
 constexpr uint32_t kIdentifierNum = 8; // more than denoisers: some belong to none
-
-template <class T> void setArbitrary(T& value, ByteReader& reader)
-{
-    if constexpr (std::is_same_v<T, bool>)
-        value = reader.flag();
-    else
-        value = reader.value<T>();
-}
-
-// Noise is refused at the first field; a mild value lets a call go through with one odd field.
-template <class T> void setMild(T& value, ByteReader& reader)
-{
-    if constexpr (std::is_same_v<T, bool>)
-        value = reader.flag();
-    else if constexpr (std::is_floating_point_v<T>)
-    {
-        constexpr T kValues[] = {0,
-                                 1,
-                                 T(0.5),
-                                 T(1e-30),
-                                 T(1e30),
-                                 T(-1),
-                                 std::numeric_limits<T>::infinity(),
-                                 std::numeric_limits<T>::quiet_NaN(),
-                                 std::numeric_limits<T>::max(),
-                                 T(3)};
-        value = kValues[reader.below(std::size(kValues))];
-    }
-    else
-        value = static_cast<T>(reader.below(64));
-}
-
-void changeField(sample::SettingField& field, ByteReader& reader)
-{
-    const size_t index = reader.below(static_cast<uint32_t>(field.count));
-    const bool isMild = reader.flag();
-    std::visit([&](auto* value) { isMild ? setMild(value[index], reader) : setArbitrary(value[index], reader); },
-               field.target);
-}
 
 class Calls
 {
@@ -71,7 +30,6 @@ private:
     void setDenoiser();
     void dispatch();
     void getRequirements(Identifier identifier);
-    void changeSettings(sample::Family family);
     void check(Result result, bool isRefusalExplained = true);
 
     ByteReader& m_reader;
@@ -121,17 +79,10 @@ void Calls::create()
     check(result);
 }
 
-void Calls::changeSettings(sample::Family family)
-{
-    std::vector<sample::SettingField> fields = sample::settingFields(m_settings, family);
-    for (uint32_t changes = m_reader.below(4); changes > 0; changes--)
-        changeField(fields[m_reader.below(static_cast<uint32_t>(fields.size()))], m_reader);
-}
-
 void Calls::setCommon()
 {
     if (m_reader.below(4) == 0) m_settings.common = test::makeCommon();
-    changeSettings(sample::Family::None);
+    fuzz::changeSettings(m_settings, sample::Family::None, m_reader);
     check(SetCommonSettings(*m_instance, m_settings.common));
 }
 
@@ -140,7 +91,7 @@ void Calls::setDenoiser()
     const Identifier identifier = m_reader.below(kIdentifierNum);
     const auto family = static_cast<sample::Family>(1 + m_reader.below(4));
     if (m_reader.below(4) == 0) m_settings = {m_settings.common, {}, {}, {}, {}};
-    changeSettings(family);
+    fuzz::changeSettings(m_settings, family, m_reader);
     check(sample::setDenoiserSettings(m_settings, family,
                                       [&](const auto& settings)
                                       { return SetDenoiserSettings(*m_instance, identifier, settings); }));

@@ -17,7 +17,7 @@ void release(void* memory)
 }
 } // namespace
 
-// Replaces the program's own; the array and nothrow forms end here as well.
+// Replaces the program's own, in all forms but the aligned ones: those a sanitizer brings would not fit to these.
 void* operator new(std::size_t size)
 {
     if (isWatching && ++allocationCount == failingAllocation) throw std::bad_alloc();
@@ -26,8 +26,23 @@ void* operator new(std::size_t size)
     if (isWatching) liveBlocks++;
     return memory;
 }
+void* operator new[](std::size_t size) { return operator new(size); }
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept
+{
+    try
+    {
+        return operator new(size);
+    }
+    catch (const std::bad_alloc&)
+    {
+        return nullptr;
+    }
+}
+void* operator new[](std::size_t size, const std::nothrow_t& tag) noexcept { return operator new(size, tag); }
 void operator delete(void* memory) noexcept { release(memory); }
 void operator delete(void* memory, std::size_t) noexcept { release(memory); }
+void operator delete[](void* memory) noexcept { release(memory); }
+void operator delete[](void* memory, std::size_t) noexcept { release(memory); }
 
 namespace test
 {

@@ -270,8 +270,10 @@ TEST_CASE("memory per pixel of REBLUR_DIFFUSE_SPECULAR stays within 53 bytes", "
     {
         double sum = 0.0;
         for (uint32_t i = 0; i < num; i++)
-            sum += texelByteSize(pool[i].format) /
-                   static_cast<double>(pool[i].downsampleFactor * pool[i].downsampleFactor);
+        {
+            const double factor = pool[i].downsampleFactor; // 65535 for a single texel
+            sum += texelByteSize(pool[i].format) / (factor * factor);
+        }
         return sum;
     };
     const double permanent = bytesPerPixel(desc.permanentPool, desc.permanentPoolSize);

@@ -1,5 +1,5 @@
 #include "options.h"
-#include <cstdlib>
+#include "long_form.h"
 
 namespace options
 {
@@ -307,11 +307,9 @@ std::span<const nrd::Denoiser> allDenoisers()
     return {library.supportedDenoisers, library.supportedDenoisersNum};
 }
 
-bool isFull() { return std::getenv("NRD_TEST_FULL") != nullptr; }
-
 bool isRepresentative(nrd::Denoiser denoiser)
 {
-    return isFull() || !isRelax(denoiser) || denoiser == nrd::Denoiser::RELAX_DIFFUSE ||
+    return test::isLong() || !isRelax(denoiser) || denoiser == nrd::Denoiser::RELAX_DIFFUSE ||
            denoiser == nrd::Denoiser::RELAX_SPECULAR || denoiser == nrd::Denoiser::RELAX_DIFFUSE_SPECULAR_SH;
 }
 

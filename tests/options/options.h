@@ -7,9 +7,8 @@ namespace options
 {
 std::span<const nrd::Denoiser> allDenoisers(); // that the library has
 
-// What costs much runs for all but RELAX, of which three run that have all of its lobes and
-// signals; NRD_TEST_FULL in the environment asks for all.
-bool isFull();
+// What costs much runs for all but RELAX, of which three run that have all of its lobes and signals; in the long form for
+// all.
 bool isRepresentative(nrd::Denoiser denoiser);
 
 struct Option

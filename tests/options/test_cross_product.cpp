@@ -1,6 +1,7 @@
 // Every denoiser with every option on awkward sizes: runs without a message, writes finite values where it
 // should and nothing elsewhere, and comes closer to the truth than its input.
 #include "catch.h"
+#include "long_form.h"
 #include "measures.h"
 #include "options.h"
 #include <cstdio>
@@ -12,11 +13,23 @@ namespace
 {
 constexpr glm::ivec2 kLarge{127, 63}, kOdd{17, 9};
 constexpr int kLargeFrames = 3, kSmallFrames = 2;
-// Every combination runs small; large, where errors are measured, each denoiser has every third option, and each option
-// every third denoiser. RELAX, which has many pipelines, runs just those. NRD_TEST_FULL in the environment runs all.
+// The long form runs every combination at both sizes. Else a denoiser takes turns with its neighbours: in the middle
+// form every combination runs small, RELAX's, which has many pipelines, by turns of three, and all large, where errors
+// are measured, by turns of three; in the short form the turns are three times as long, and by three all run small.
 constexpr size_t kTurns = 3;
 
-bool isMeasured(size_t denoiser, size_t option) { return isFull() || (denoiser + option) % kTurns == 0; }
+bool isTurn(size_t denoiser, size_t option, size_t turns) { return (denoiser + option) % turns == 0; }
+
+bool isMeasured(size_t denoiser, size_t option)
+{
+    return test::isLong() || isTurn(denoiser, option, test::isMiddle() ? kTurns : kTurns * kTurns);
+}
+
+bool isRunSmall(size_t denoiser, size_t option)
+{
+    const bool isEach = test::isLong() || (test::isMiddle() && !isRelax(allDenoisers()[denoiser]));
+    return isEach || isTurn(denoiser, option, kTurns);
+}
 
 // Ratios of the denoised picture's error to the noisy one's.
 struct Tally
@@ -92,7 +105,7 @@ void runOtherEncodings(size_t denoiserIndex, Tally& tally)
     for (size_t i = 0; i < std::size(rows); i++)
     {
         const auto& row = rows[i];
-        if (familyOf(denoiser) != Family::Reblur && !isMeasured(denoiserIndex, i)) continue;
+        if (!isRunSmall(denoiserIndex, i)) continue;
         Runner runner(denoiser, row.normals, row.roughness);
         Setup setup = makeSetup(denoiser, isMeasured(denoiserIndex, i) ? kLarge : kOdd);
         setup.normalEncoding = row.normals;
@@ -113,9 +126,8 @@ TEST_CASE("every denoiser denoises with every option at every size", "[gpu]")
         const std::vector<Option>& options = allOptions(denoiser);
         for (size_t i = 0; i < options.size(); i++)
         {
-            const bool isLargeToo = i == 0 || isMeasured(d, i);
-            if (isLargeToo || !isRelax(denoiser)) runOption(runner, makeSetup(denoiser, kOdd), options[i], tally);
-            if (isLargeToo) runOption(runner, makeSetup(denoiser, kLarge), options[i], tally);
+            if (i == 0 || isRunSmall(d, i)) runOption(runner, makeSetup(denoiser, kOdd), options[i], tally);
+            if (i == 0 || isMeasured(d, i)) runOption(runner, makeSetup(denoiser, kLarge), options[i], tally);
         }
         for (const glm::ivec2 size : {glm::ivec2(1, 1), glm::ivec2(3, 5)})
             runOption(runner, makeSetup(denoiser, size), options[0], tally);

@@ -1,8 +1,8 @@
 // Every denoiser on the recorded sequences against the peer's recorded figures.
 //
-// A replay of 64 frames of 320x180 takes 5 to 14 seconds of one core on lavapipe, so two run at a time: under three
-// minutes for REBLUR's 37 rows.
+// A replay of 64 frames of 320x180 takes 5 to 14 seconds of one core on lavapipe, so two run at a time.
 #include "catch.h"
+#include "long_form.h"
 
 #include <nrd/nrd.h>
 
@@ -74,8 +74,6 @@ struct Row
     fs::path report() const { return fs::path(NRD_OUTPUT) / (denoiser + "-" + capture + ".json"); }
 };
 
-// A denoiser of both lobes runs the code of its one-lobe variants, so those are left to the full run on the sequences
-// that show the least of them.
 json readJson(const fs::path& path)
 {
     std::ifstream file(path);
@@ -90,14 +88,16 @@ bool isSupported(const std::string& denoiser)
     return std::any_of(library.supportedDenoisers, last, [&](nrd::Denoiser d) { return nrd::toString(d) == denoiser; });
 }
 
-bool isLong() { return std::getenv("NRD_TEST_LONG") != nullptr; }
+bool isMoving(const Row& row) { return row.capture == "cornell-pan" || row.capture == "roughness-ladder"; }
 
-// Denoisers of both lobes run the code of those of one, and the moving sequences ask more than the still ones.
-bool isInShortForm(const Row& row)
+// Denoisers of both lobes run the code of those of one, and the moving sequences ask more than the still ones. The
+// short form has every sequence, and every kind of signal on one of them.
+bool isInForm(const Row& row)
 {
-    const bool isMoving = row.capture == "cornell-pan" || row.capture == "roughness-ladder";
-    const bool isOfBoth = row.denoiser.ends_with("DIFFUSE_SPECULAR");
-    return isMoving || isOfBoth || row.denoiser.starts_with("SIGMA");
+    if (test::isLong() || row.denoiser.ends_with("DIFFUSE_SPECULAR") || row.denoiser.starts_with("SIGMA")) return true;
+    if (test::isMiddle()) return isMoving(row);
+    const bool isOfBoth = row.denoiser.find("DIFFUSE_SPECULAR") != std::string::npos;
+    return row.capture == "roughness-ladder" && (isOfBoth || row.denoiser.ends_with("DIRECTIONAL_OCCLUSION"));
 }
 
 // The peer's rows that the library supports and whose sequence is here. A row without figures, which is specular
@@ -112,7 +112,7 @@ std::vector<Row> findRows()
         const Row row = {entry["capture"], entry["denoiser"], entry["mean"]["denoised"]};
         const bool isHere = fs::exists(fs::path(NRD_SEQUENCES) / row.capture / "capture.json");
         const bool isOfFamily = row.denoiser != "REFERENCE"; // which does not denoise
-        if (!isLong() && !isInShortForm(row)) continue;
+        if (!isInForm(row)) continue;
         if (isHere && isOfFamily && !row.peer.empty() && isSupported(row.denoiser)) rows.push_back(row);
     }
     return rows;

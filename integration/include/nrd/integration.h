@@ -58,7 +58,7 @@ struct IntegrationCreationDesc
     uint16_t resourceWidth = 0;           // [1; 65535] pixels, size of all full-resolution images
     uint16_t resourceHeight = 0;          // [1; 65535] pixels
     uint32_t framesInFlight = 3;          // [1; 16] frames that the GPU may still work on when the next one begins
-    uint32_t maxDenoiseCallsPerFrame = 4; // [1; 1024] calls that name all denoisers; ones that name fewer count less
+    uint32_t maxDenoiseCallsPerFrame = 4; // [1; 1024] calls that surely fit; more may if they name few denoisers
     LayoutPolicy layoutPolicy = LayoutPolicy::OPTIMAL;
     bool isGpuTimingEnabled = false;     // fills GetTimings()
     bool createDefaultPipelines = false; // those of the default settings in Create(), not at their first use

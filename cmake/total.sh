@@ -1,0 +1,19 @@
+#!/usr/bin/env bash
+# Runs each argument as a command, whatever became of the one before, and closes with the sum of their closing lines:
+# "N passed, N failed". A command that fails without counting a failed test counts as one.
+set -uo pipefail
+
+log=$(mktemp)
+trap 'rm -f "$log"' EXIT
+passed=0 failed=0 skipped=0
+for command in "$@"; do
+    bash -c "$command" 2>&1 | tee "$log"
+    status=${PIPESTATUS[0]}
+    counts=$(tail -n 1 "$log" | sed -nE 's/^([0-9]+) passed, ([0-9]+) failed(, ([0-9]+) skipped)?$/\1 \2 \4/p')
+    read -r p f s <<< "$counts"
+    if [ "$status" -ne 0 ] && [ "${f:-0}" -eq 0 ]; then f=1; fi
+    passed=$((passed + ${p:-0})) failed=$((failed + ${f:-0})) skipped=$((skipped + ${s:-0}))
+done
+if [ "$skipped" -gt 0 ]; then note=", $skipped skipped"; fi
+echo "$passed passed, $failed failed${note:-}"
+[ "$failed" -eq 0 ]
