@@ -52,16 +52,23 @@ const rhi::DescriptorSet& FrameSets::take(const rhi::Pipeline& pipeline, uint32_
             std::equal(entry.writes.begin(), entry.writes.end(), writes.begin(), writes.end(), isSame))
             return takeAt(i);
     }
-    Entry& entry = m_entries.emplace_back();
-    entry.lastVisit = m_visit;
-    entry.set = &m_pool->allocate(pipeline, set);
+    const size_t index = findEmpty(pipeline, set);
+    Entry& entry = m_entries[index];
     entry.set->write(writes);
     const size_t first = m_writes.size();
     m_writes.insert(m_writes.end(), writes.begin(), writes.end());
     entry.writes = {m_writes.data() + first, writes.size()};
     entry.generation = generation;
-    entry.pipeline = &pipeline; // from here on it can be found
-    return takeAt(m_entries.size() - 1);
+    return takeAt(index);
+}
+
+// One that a call left which failed before it was written, or a new one.
+size_t FrameSets::findEmpty(const rhi::Pipeline& pipeline, uint32_t set)
+{
+    for (size_t i = m_taken; i < m_entries.size(); i++)
+        if (m_entries[i].pipeline == &pipeline && m_entries[i].writes.empty()) return i;
+    m_entries.push_back({&pipeline, &m_pool->allocate(pipeline, set), {}, 0, m_visit}); // there is room for it
+    return m_entries.size() - 1;
 }
 
 const rhi::DescriptorSet& FrameSets::takeAt(size_t index)

@@ -32,6 +32,7 @@ private:
         uint64_t generation = 0;
         uint64_t lastVisit = 0; // that took it
     };
+    size_t findEmpty(const rhi::Pipeline& pipeline, uint32_t set);
     const rhi::DescriptorSet& takeAt(size_t index);
 
     uint64_t m_visit = 0; // frames that had this slot

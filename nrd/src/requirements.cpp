@@ -67,16 +67,18 @@ struct Need
     bool isRequired = false; // under the present ones
 };
 
+constexpr size_t kUserSlotNum = static_cast<size_t>(ResourceType::TRANSIENT_POOL);
+
 template <class Slots>
-Need findNeed(const Slots& slots, ResourceType type, bool isRunning, const Conditions& conditions)
+void addNeeds(const Slots& slots, bool isRunning, const Conditions& conditions, Need (&needs)[kUserSlotNum])
 {
-    Need need;
     for (const BoundSlot& slot : slots)
     {
-        for (const BoundChoice& choice : slot.choices) need.isBound = need.isBound || choice.binding.type == type;
-        need.isRequired = need.isRequired || (isRunning && slot.pick(conditions).type == type);
+        for (const BoundChoice& choice : slot.choices)
+            if (!choice.binding.isTexture()) needs[static_cast<size_t>(choice.binding.type)].isBound = true;
+        const Binding& picked = slot.pick(conditions);
+        if (isRunning && !picked.isTexture()) needs[static_cast<size_t>(picked.type)].isRequired = true;
     }
-    return need;
 }
 } // namespace
 
@@ -95,21 +97,20 @@ Result Instance::getRequiredResources(Identifier identifier, const ResourceRequi
     const Program& program = denoiser->program;
     const Conditions conditions = {m_common, denoiser->settings, m_desc.normalEncoding, *program.variant};
     m_requirements.clear();
-    for (uint32_t i = 0; i < static_cast<uint32_t>(ResourceType::TRANSIENT_POOL); i++) // inputs come before outputs
+    Need reads[kUserSlotNum], writes[kUserSlotNum];
+    for (const Pass& pass : program.passes)
+    {
+        const bool isRunning = pass.row->runsIf(conditions);
+        addNeeds(pass.reads, isRunning, conditions, reads);
+        addNeeds(pass.writes, isRunning, conditions, writes);
+    }
+    for (size_t i = 0; i < kUserSlotNum; i++) // inputs come before outputs
     {
         const ResourceType type = static_cast<ResourceType>(i);
-        Need input, output;
-        for (const Pass& pass : program.passes)
-        {
-            const bool isRunning = pass.row->runsIf(conditions);
-            const Need read = findNeed(pass.reads, type, isRunning, conditions);
-            const Need written = findNeed(pass.writes, type, isRunning, conditions);
-            input = {input.isBound || read.isBound, input.isRequired || read.isRequired};
-            output = {output.isBound || written.isBound, output.isRequired || written.isRequired};
-        }
-        if (!input.isBound && !output.isBound) continue;
-        const DescriptorType descriptor = output.isBound ? DescriptorType::STORAGE_TEXTURE : DescriptorType::TEXTURE;
-        m_requirements.push({type, descriptor, input.isRequired || output.isRequired, output.isBound && input.isBound,
+        const Need &read = reads[i], &written = writes[i];
+        if (!read.isBound && !written.isBound) continue;
+        m_requirements.push({type, written.isBound ? DescriptorType::STORAGE_TEXTURE : DescriptorType::TEXTURE,
+                             read.isRequired || written.isRequired, read.isBound && written.isBound,
                              minFormat(type, conditions)});
     }
     requirements = m_requirements.begin();

@@ -13,7 +13,9 @@ namespace
 {
 constexpr glm::ivec2 kWide{80, 40}, kPlace{28, 26};
 constexpr int kWarmUp = 6;
-constexpr int kMostFrames = 30, kMostShadowFrames = 8; // the default lengths of histories
+// The frame itself and the default lengths of histories after it.
+constexpr int kMostFrames = 1 + int(nrd::ReblurSettings{}.maxAccumulatedFrameNum);
+constexpr int kMostShadowFrames = 1 + int(nrd::SigmaSettings{}.maxStabilizedFrameNum);
 
 using Picture = std::vector<Level>;
 
