@@ -74,7 +74,7 @@ private:
     void setFrame();
     void execute();
     void ask();
-    uint32_t denoiser() { return m_reader.below(16) == 0 ? m_reader.value<uint32_t>() : m_reader.below(kDenoiserNum); }
+    uint32_t denoiser();
 
     ByteReader& m_reader;
     std::deque<std::unique_ptr<rhi::RecordingDevice>> m_devices; // one for each integration, as made
@@ -119,6 +119,13 @@ void Calls::check(NrdPluginResult result)
     require(isRefused == (m_reportNum == 1), "one sentence for a refused call, else none");
     if (isRefused) require(*NrdPluginGetLastMessage() != 0, "a refused call is explained");
     m_reportNum = 0;
+}
+
+// Mostly one of a few, so that events find what was initialised.
+uint32_t Calls::denoiser()
+{
+    if (m_reader.below(16) == 0) return m_reader.value<uint32_t>();
+    return m_reader.flag() ? m_reader.below(kDenoiserNum) : m_reader.below(4) * 6;
 }
 
 void Calls::setDevice()
