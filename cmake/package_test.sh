@@ -65,12 +65,23 @@ with_pkgconfig() { # PREFIX
     "$folder/consumer-static" "$version"
 }
 
+# The examples, with the pictures of those in the build folder where they are.
+examples() { # FOLDER PREFIX
+    "$1/native_handles"
+    "$1/own_rhi" "$work/own_rhi.raw"
+    "$1/white_box" "$2/share/nrd/shaders" "$work/white_box.raw"
+    cmp "$work/own_rhi.raw" "$work/white_box.raw"
+    "$build/bin/nrd-example-own-rhi" "$work/expected.raw" # held against NrdIntegration's by the tests
+    cmp "$work/own_rhi.raw" "$work/expected.raw"
+}
+
 # No shader compiler: what finds none must not need one.
 from_sources() { # NAME options...
     local name=$1
     shift
-    configure_and_run "$name" "-DWAY=$name" "-DNRD_SOURCE=$work/source" "$@"
-    absent "glslang|spirv-opt" < "$work/consumer-$name/build.ninja"
+    # One folder for both, as they build the same.
+    configure_and_run sources "-DWAY=$name" "-DNRD_SOURCE=$work/source" "$@"
+    absent "glslang|spirv-opt" < "$work/consumer-sources/build.ninja"
 }
 
 # Shared libraries have versioned names, export what the headers declare, and do not link the loader.
@@ -109,7 +120,7 @@ tar_up() {
     test -d "$work/source/spirv/nrd_shaders"
 }
 
-cmake --build "$build" -j "$jobs" --target nrd_package > /dev/null
+cmake --build "$build" -j "$jobs" --target nrd_package nrd-example-own-rhi > /dev/null
 rm -rf "$work"
 mkdir -p "$work"
 version=$(sed -n 's/^CMAKE_PROJECT_VERSION:STATIC=//p' "$build/CMakeCache.txt")
@@ -124,6 +135,7 @@ check files files_are_there "$prefix"
 check libraries libraries_are_clean "$prefix"
 check find_package-static configure_and_run static "-DCMAKE_PREFIX_PATH=$prefix"
 check find_package-shared configure_and_run shared "-DCMAKE_PREFIX_PATH=$prefix" -DBUILD_SHARED_LIBS=ON
+check examples examples "$work/consumer-static" "$prefix"
 check pkgconfig with_pkgconfig "$prefix"
 check deb unpack_debs
 check deb-find_package configure_and_run deb "-DCMAKE_PREFIX_PATH=$work/root/usr"
