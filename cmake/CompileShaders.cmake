@@ -26,7 +26,7 @@ function(nrd_shader_library target)
     set_property(DIRECTORY PROPERTY NRD_SHADER_MODULES "")
 endfunction()
 
-# nrd_add_shader(Name file.comp.glsl DEFINES A=1 B=2)
+# nrd_add_shader(Name file.comp.glsl DEFINES A=1 B=2); .hlsl for HLSL
 function(nrd_add_shader name file)
     cmake_parse_arguments(ARG "" "" "DEFINES" ${ARGN})
     get_property(target DIRECTORY PROPERTY NRD_SHADER_TARGET)
@@ -46,12 +46,16 @@ function(nrd_add_shader name file)
         nrd_embed_released_shader(${target} ${name} ${namespace})
         return()
     endif()
+    set(language --glsl-version 460)
+    if(file MATCHES "\\.hlsl$")
+        set(language -D -D__HLSL_VERSION=2021 -e main)
+    endif()
     list(TRANSFORM includes PREPEND "-I")
     list(TRANSFORM ARG_DEFINES PREPEND "-D" OUTPUT_VARIABLE defines)
     add_custom_command(
         OUTPUT "${stem}.raw.spv" # the name glslang writes into the dependency file
         COMMAND "${CMAKE_COMMAND}" -E make_directory "${CMAKE_CURRENT_BINARY_DIR}/${target}"
-        COMMAND "${NRD_GLSLANG}" --quiet --target-env vulkan1.1 --glsl-version 460 -S comp ${includes} ${defines}
+        COMMAND "${NRD_GLSLANG}" --quiet --target-env vulkan1.1 ${language} -S comp ${includes} ${defines}
                 --depfile "${stem}.d" -o "${stem}.raw.spv" "${source}"
         DEPFILE "${stem}.d"
         DEPENDS "${source}"

@@ -133,7 +133,7 @@ prefix=$work/moved
 
 check files files_are_there "$prefix"
 check libraries libraries_are_clean "$prefix"
-check find_package-static configure_and_run static "-DCMAKE_PREFIX_PATH=$prefix"
+check find_package-static configure_and_run static "-DCMAKE_PREFIX_PATH=$prefix" -DEXAMPLES=ON
 check find_package-shared configure_and_run shared "-DCMAKE_PREFIX_PATH=$prefix" -DBUILD_SHARED_LIBS=ON
 check examples examples "$work/consumer-static" "$prefix"
 check pkgconfig with_pkgconfig "$prefix"
