@@ -67,8 +67,8 @@ typedef VkCommandBuffer (*NrdPluginCommandBufferProvider)(void* userArg);
 typedef void (*NrdPluginEventCallback)(int eventId);
 typedef void (*NrdPluginMessageCallback)(void* userArg, NrdPluginResult result, const char* text);
 
-/* Native objects of the engine: borrowed until NrdPluginReleaseAll(). Created with what nrd/integration.h asks for in
- * GetRequiredDeviceFeatures(). */
+/* Native objects of the engine: borrowed until NrdPluginReleaseAll(). Vulkan 1.1, the device created with the features
+ * shaderStorageImageWriteWithoutFormat and shaderStorageImageExtendedFormats. */
 typedef struct NrdPluginDevice
 {
     uint32_t structSize;       /* sizeof(NrdPluginDevice) */
