@@ -53,13 +53,14 @@ with_pkgconfig() { # PREFIX
     export PKG_CONFIG_PATH=$prefix/lib/pkgconfig LD_LIBRARY_PATH=$prefix/lib
     local flags
     # Under /usr pkg-config drops its own folders; here the files are elsewhere and must be named.
-    flags=$(PKG_CONFIG_SYSTEM_INCLUDE_PATH=- PKG_CONFIG_SYSTEM_LIBRARY_PATH=- pkg-config --cflags --libs nrd-integration)
+    export PKG_CONFIG_SYSTEM_INCLUDE_PATH=- PKG_CONFIG_SYSTEM_LIBRARY_PATH=-
+    flags=$(pkg-config --cflags --libs nrd-integration)
     test "$(pkg-config --modversion nrd)" = "$version"
     c++ -std=c++17 -Wall -Werror -DHAS_INTEGRATION "$consumer/consumer.cpp" $flags -o "$folder/consumer"
     c++ -std=c++17 -Wall -Werror "$consumer/consumer.cpp" -I"$prefix/include" "$prefix/lib/libnrd.a" \
         -o "$folder/consumer-static"
     cc -std=c99 -Wall -Wextra -Werror "$consumer/plugin_consumer.c" \
-        $(PKG_CONFIG_SYSTEM_INCLUDE_PATH=- PKG_CONFIG_SYSTEM_LIBRARY_PATH=- pkg-config --cflags --libs nrd-plugin) \
+        $(pkg-config --cflags --libs nrd-plugin) \
         -o "$folder/plugin_consumer"
     run "$folder"
     "$folder/consumer-static" "$version"

@@ -109,7 +109,8 @@ namespace Nrd
         public static extern NrdPluginResult NrdPluginGetImageNum(uint denoiser, out uint imageNum);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern NrdPluginResult NrdPluginGetImageInfo(uint denoiser, uint index, ref NrdPluginImageInfo info);
+        public static extern NrdPluginResult NrdPluginGetImageInfo(uint denoiser, uint index,
+                                                                   ref NrdPluginImageInfo info);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern NrdPluginResult NrdPluginInitialize(uint denoiser, NrdPluginImage[] images, uint imageNum);

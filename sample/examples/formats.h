@@ -1,4 +1,4 @@
-// The formats of the library as Vulkan has them.
+// The formats and kinds of descriptors of the library as Vulkan has them.
 #pragma once
 #include <iterator>
 #include <nrd/types.h>
@@ -18,4 +18,11 @@ inline constexpr VkFormat kFormats[] = {
 };
 // clang-format on
 static_assert(std::size(kFormats) == static_cast<size_t>(nrd::Format::MAX_NUM));
+
+inline VkDescriptorType toVulkan(nrd::DescriptorType type)
+{
+    constexpr VkDescriptorType kTypes[] = {VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE, VK_DESCRIPTOR_TYPE_STORAGE_IMAGE,
+                                           VK_DESCRIPTOR_TYPE_STORAGE_BUFFER};
+    return kTypes[static_cast<uint32_t>(type)];
+}
 } // namespace example

@@ -10,13 +10,6 @@ namespace example
 namespace
 {
 // In the order of nrd::Format.
-VkDescriptorType toVulkan(nrd::DescriptorType type)
-{
-    constexpr VkDescriptorType kTypes[] = {VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE, VK_DESCRIPTOR_TYPE_STORAGE_IMAGE,
-                                           VK_DESCRIPTOR_TYPE_STORAGE_BUFFER};
-    return kTypes[static_cast<uint32_t>(type)];
-}
-
 template <class Owner, class Create, class Info> Owner make(VkDevice device, Create create, const Info& info)
 {
     decltype(Owner().get()) handle = VK_NULL_HANDLE;
@@ -72,7 +65,7 @@ void OwnRhi::createConstantsLayout()
     m_constantsLayout = makeSetLayout(bindings);
 }
 
-void OwnRhi::createPipeline(const nrd::PipelineDesc& desc, const ShaderSource& source)
+OwnRhi::Pipeline OwnRhi::createLayouts(const nrd::PipelineDesc& desc) const
 {
     std::vector<VkDescriptorSetLayoutBinding> bindings;
     const auto add = [&](uint32_t count, nrd::DescriptorType type)
@@ -84,9 +77,8 @@ void OwnRhi::createPipeline(const nrd::PipelineDesc& desc, const ShaderSource& s
     add(desc.texturesNum, nrd::DescriptorType::TEXTURE);
     add(desc.storageTexturesNum, nrd::DescriptorType::STORAGE_TEXTURE);
     add(desc.storageBuffersNum, nrd::DescriptorType::STORAGE_BUFFER);
-    Pipeline& result = m_pipelines.emplace_back();
+    Pipeline result;
     result.resources = makeSetLayout(bindings);
-
     VkDescriptorSetLayout sets[2];
     sets[m_desc.constantsAndSamplersSet] = m_constantsLayout.get();
     sets[m_desc.resourcesSet] = result.resources.get();
@@ -94,13 +86,17 @@ void OwnRhi::createPipeline(const nrd::PipelineDesc& desc, const ShaderSource& s
     layoutInfo.setLayoutCount = 2;
     layoutInfo.pSetLayouts = sets;
     result.layout = make<engine::UniquePipelineLayout>(m_device.handle(), vkCreatePipelineLayout, layoutInfo);
+    return result;
+}
 
+void OwnRhi::createPipeline(const nrd::PipelineDesc& desc, const ShaderSource& source)
+{
+    Pipeline& result = m_pipelines.emplace_back(createLayouts(desc));
     const std::vector<uint32_t> words = source(desc);
     auto moduleInfo = engine::describe<VkShaderModuleCreateInfo>(VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO);
     moduleInfo.codeSize = words.size() * sizeof(uint32_t);
     moduleInfo.pCode = words.data();
     const auto shader = make<engine::UniqueShaderModule>(m_device.handle(), vkCreateShaderModule, moduleInfo);
-
     std::vector<VkSpecializationMapEntry> entries;
     std::vector<uint32_t> values;
     for (uint32_t i = 0; i < desc.specializationConstantsNum; i++)

@@ -40,6 +40,7 @@ private:
 
     engine::UniqueSetLayout makeSetLayout(const std::vector<VkDescriptorSetLayoutBinding>& bindings) const;
     void createConstantsLayout();
+    Pipeline createLayouts(const nrd::PipelineDesc& desc) const;
     void createPipeline(const nrd::PipelineDesc& desc, const ShaderSource& source);
     void createPools(uint16_t width, uint16_t height);
     void createDescriptorPool();

@@ -38,6 +38,18 @@ Texels run(const std::string& command)
     return readPicture(picture);
 }
 
+Texels outputs(const std::deque<test::EngineImage>& images)
+{
+    Texels result;
+    for (size_t i = 0; i < images.size(); i++)
+    {
+        if (example::isInput(example::kSlots[i])) continue;
+        const Texels texels = images[i].texels<float>();
+        result.insert(result.end(), texels.begin(), texels.end());
+    }
+    return result;
+}
+
 Texels denoiseWithIntegration()
 {
     test::Gpu gpu;
@@ -73,15 +85,8 @@ Texels denoiseWithIntegration()
         frames.end();
         frames.wait();
     }
-    Texels result;
-    for (size_t i = 0; i < images.size(); i++)
-    {
-        if (example::isInput(example::kSlots[i])) continue;
-        const Texels texels = images[i].texels<float>();
-        result.insert(result.end(), texels.begin(), texels.end());
-    }
     gpu.finish();
-    return result;
+    return outputs(images);
 }
 
 const Texels& expectedPicture()

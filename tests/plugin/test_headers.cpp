@@ -66,7 +66,7 @@ TEST_CASE("the C header and the C# file have the same structs and functions", "[
         CHECK(fields(c, name).size() > 4);
         CHECK(fields(c, name) == fields(cs, name));
     }
-    const std::vector<std::string> functions = matches(c, "\nNRD_PLUGIN_API [^(]*?(\\w+)\\(");
+    const std::vector<std::string> functions = matches(c, "\n *NRD_PLUGIN_API [^(]*?(\\w+)\\(");
     CHECK(functions.size() == 12);
     CHECK(functions == matches(cs, "extern \\w+ (\\w+)\\("));
 }

@@ -14,7 +14,10 @@ Results evaluate(Arguments v)
         r.first.y = SIGMA_FrontEnd_PackPenumbra(v.a.x, v.a.z, v.a.w);
         r.second = SIGMA_FrontEnd_PackTranslucency(v.a.x, v.b.xyz);
         break;
-    case FN_UNPACK_SHADOW: r = results(vec4(SIGMA_BackEnd_UnpackShadow(v.a.x), 0.0, 0.0, 0.0), SIGMA_BackEnd_UnpackShadow(v.a)); break;
+    case FN_UNPACK_SHADOW:
+        r.first.x = SIGMA_BackEnd_UnpackShadow(v.a.x);
+        r.second = SIGMA_BackEnd_UnpackShadow(v.a);
+        break;
     case FN_MULTI_LIGHT:
         SIGMA_FrontEnd_MultiLight_Add(lights, v.a.xyz, v.a.w, v.b.xyz);
         SIGMA_FrontEnd_MultiLight_Add(lights, v.c.xyz, v.c.w, v.d.xyz);

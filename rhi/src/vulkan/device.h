@@ -10,8 +10,8 @@ namespace rhi::vulkan
 class Device final : public rhi::Device
 {
 public:
-    /// `owned` (may be null) holds the native device if it is ours. Shared, since its deleter comes with it: who only wraps
-    /// devices links nothing of how they are made, and so not the loader.
+    /// `owned` (may be null) holds the native device if it is ours. Shared, since its deleter comes with it: who only
+    /// wraps devices links nothing of how they are made, and so not the loader.
     Device(std::shared_ptr<OwnedDevice> owned, const VulkanNativeDevice& native);
 
     const Context& context() const { return m_context; }
