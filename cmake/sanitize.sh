@@ -11,12 +11,12 @@ case "${1:-}" in
     "") exec bash cmake/total.sh "bash cmake/sanitize.sh memory" "bash cmake/sanitize.sh threads" ;;
     memory)
         preset=sanitize
-        targets=(nrd-test-{nrd,rhi,integration,threads,capture,sample} nrd-fuzz-{nrd,integration,settings,gltf,capture})
-        tests='nrd|rhi|integration|threads|capture|sample-cpu|fuzz-.*' ;;
+        targets=(nrd-test-{nrd,rhi,integration,plugin,threads,capture,sample} nrd-fuzz-{nrd,integration,plugin,settings,gltf,capture})
+        tests='nrd|rhi|integration|plugin|threads|capture|sample-cpu|fuzz-.*' ;;
     threads)
         preset=sanitize-threads
-        targets=(nrd-test-threads)
-        tests=threads ;;
+        targets=(nrd-test-{threads,plugin})
+        tests='threads|plugin' ;;
     *) echo "usage: $0 [memory|threads]" >&2; exit 2 ;;
 esac
 

@@ -3,6 +3,7 @@
 #include "diagnosis.h"
 #include "dispatch.h"
 #include "refusal.h"
+#include "unique_instance.h"
 #include <nrd/integration.h>
 #include <optional>
 #include <string>
@@ -10,12 +11,6 @@
 
 namespace nrd
 {
-struct InstanceDeleter
-{
-    void operator()(Instance* instance) const { DestroyInstance(instance); }
-};
-using UniqueInstance = std::unique_ptr<Instance, InstanceDeleter>;
-
 class Core
 {
 public:

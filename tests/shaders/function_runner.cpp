@@ -17,6 +17,12 @@ std::unique_ptr<rhi::Buffer> makeBuffer(size_t byteSize, rhi::BufferMemory memor
     return test::validatedDevice().createBuffer(desc);
 }
 
+Shader hlslShaderOf(int function)
+{
+    if (function >= FN_FIRST_OF_SHADOW) return Shader::ShadowFunctionsHlsl;
+    return function >= FN_FIRST_OF_RESOLVE ? Shader::ResolveFunctionsHlsl : Shader::FrontEndFunctionsHlsl;
+}
+
 Shader shaderOf(int function)
 {
     if (function >= FN_FIRST_OF_PASSES) return Shader::PassFunctions;
@@ -26,9 +32,9 @@ Shader shaderOf(int function)
     return function < FN_FALLOFFS ? Shader::FrontEndFunctions : Shader::LibraryFunctions;
 }
 
-std::unique_ptr<rhi::Pipeline> makePipeline(int function)
+std::unique_ptr<rhi::Pipeline> makePipeline(int function, Language language)
 {
-    const ShaderBlob blob = shaderBlob(shaderOf(function));
+    const ShaderBlob blob = shaderBlob(language == Language::Hlsl ? hlslShaderOf(function) : shaderOf(function));
     const rhi::BindingDesc bindings[] = {{0, 0, rhi::BindingType::StorageBuffer},
                                          {0, 1, rhi::BindingType::StorageBuffer},
                                          {0, 2, rhi::BindingType::StorageBuffer}};
@@ -43,7 +49,7 @@ std::unique_ptr<rhi::Pipeline> makePipeline(int function)
 } // namespace
 
 std::vector<Results> runFunction(int function, const std::vector<Arguments>& arguments,
-                                 std::span<const nrd::shared::DenoiserConstants> frames)
+                                 std::span<const nrd::shared::DenoiserConstants> frames, Language language)
 {
     const size_t count = arguments.size();
     const nrd::shared::DenoiserConstants none = {};
@@ -53,7 +59,7 @@ std::vector<Results> runFunction(int function, const std::vector<Arguments>& arg
     const auto constants = makeBuffer(frames.size_bytes(), rhi::BufferMemory::Upload);
     std::memcpy(in->mapped(), arguments.data(), count * sizeof(Arguments));
     std::memcpy(constants->mapped(), frames.data(), frames.size_bytes());
-    const auto pipeline = makePipeline(function);
+    const auto pipeline = makePipeline(function, language);
     rhi::DescriptorPoolDesc poolDesc;
     poolDesc.sets = 1;
     poolDesc.storageBuffers = 3;

@@ -1,33 +1,3 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "functions.h"
-#include "interface.glsl"
-#include "nrd_frontend.glsl"
-
-Results evaluate(Arguments v)
-{
-    Results r = Results(vec4(0.0), vec4(0.0));
-    SIGMA_MultiLight lights = SIGMA_FrontEnd_MultiLight_Begin();
-    switch (kFunction)
-    {
-    case FN_PENUMBRA:
-        r.first.x = SIGMA_FrontEnd_PackPenumbra(v.a.x, v.a.y);
-        r.first.y = SIGMA_FrontEnd_PackPenumbra(v.a.x, v.a.z, v.a.w);
-        r.second = SIGMA_FrontEnd_PackTranslucency(v.a.x, v.b.xyz);
-        break;
-    case FN_UNPACK_SHADOW: r = Results(vec4(SIGMA_BackEnd_UnpackShadow(v.a.x)), SIGMA_BackEnd_UnpackShadow(v.a)); break;
-    case FN_MULTI_LIGHT:
-        SIGMA_FrontEnd_MultiLight_Add(lights, v.a.xyz, v.a.w, v.b.xyz);
-        SIGMA_FrontEnd_MultiLight_Add(lights, v.c.xyz, v.c.w, v.d.xyz);
-        SIGMA_FrontEnd_MultiLight_Add(lights, v.e.xyz, v.e.w, v.f.xyz);
-        r.first.x = SIGMA_FrontEnd_MultiLight_End(lights, r.second);
-        break;
-    }
-    return r;
-}
-
-void main()
-{
-    uint i = gl_GlobalInvocationID.x;
-    if (i < uint(gArguments.length())) gResults[i] = evaluate(gArguments[i]);
-}
+#include "shadow_functions.glsl"

@@ -73,7 +73,7 @@ struct DoctorFrame
     const float* specularDirection = nullptr; // .xyz first direction of the specular path, world space, unit or 0
 };
 
-class InputDoctor
+class NRD_API InputDoctor
 {
 public:
     InputDoctor();

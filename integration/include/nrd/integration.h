@@ -25,7 +25,7 @@ struct RequiredDeviceFeatures
     const char* const* deviceExtensions = nullptr;
     uint32_t deviceExtensionsNum = 0;
 };
-RequiredDeviceFeatures GetRequiredDeviceFeatures();
+NRD_API RequiredDeviceFeatures GetRequiredDeviceFeatures();
 
 /// Native objects of the application: borrowed, they must outlive the integration.
 struct NativeDevice
@@ -165,7 +165,7 @@ struct IntegrationStatistics
     uint32_t pipelines = 0;        // created so far
 };
 
-class NrdIntegration
+class NRD_API NrdIntegration
 {
 public:
     NrdIntegration();

@@ -9,7 +9,7 @@
 
 namespace rhi::vulkan
 {
-Device::Device(std::unique_ptr<OwnedDevice> owned, const VulkanNativeDevice& native)
+Device::Device(std::shared_ptr<OwnedDevice> owned, const VulkanNativeDevice& native)
     : m_owned(std::move(owned)), m_context(native), m_layouts(m_context)
 {
 }

@@ -10,8 +10,9 @@ namespace rhi::vulkan
 class Device final : public rhi::Device
 {
 public:
-    /// `owned` (may be null) holds the native device if it is ours.
-    Device(std::unique_ptr<OwnedDevice> owned, const VulkanNativeDevice& native);
+    /// `owned` (may be null) holds the native device if it is ours. Shared, since its deleter comes with it: who only
+    /// wraps devices links nothing of how they are made, and so not the loader.
+    Device(std::shared_ptr<OwnedDevice> owned, const VulkanNativeDevice& native);
 
     const Context& context() const { return m_context; }
 
@@ -43,7 +44,7 @@ private:
     void checkDesc(const TextureDesc& desc) const;
     VkQueue queue() const;
 
-    std::unique_ptr<OwnedDevice> m_owned; // null when the application lent us the device; destroyed last
+    std::shared_ptr<OwnedDevice> m_owned; // null when the application lent us the device; destroyed last
     Context m_context;
     LayoutCache m_layouts;
     std::vector<VkCommandBuffer> m_submission; // kept to keep its memory

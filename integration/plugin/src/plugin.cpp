@@ -1,0 +1,149 @@
+#include "plugin.h"
+#include "refusal.h"
+#include <algorithm>
+
+namespace nrd::plugin
+{
+namespace
+{
+constexpr uint32_t kDefaultFramesInFlight = 3;
+constexpr uint32_t kDenoiserBits = 0xFF;
+constexpr uint32_t kSlotShift = 8;
+
+Refusal invalid(const std::string& text) { return Refusal(Result::INVALID_ARGUMENT, text); }
+} // namespace
+
+Denoiser toDenoiser(uint32_t index)
+{
+    if (index < static_cast<uint32_t>(Denoiser::MAX_NUM)) return static_cast<Denoiser>(index);
+    throw invalid(
+        sentence("there is no denoiser %u, the last is %u", index, static_cast<uint32_t>(Denoiser::MAX_NUM) - 1));
+}
+
+int makeEventId(uint32_t denoiser, uint32_t frameIndex)
+{
+    if (denoiser >= static_cast<uint32_t>(Denoiser::MAX_NUM)) return -1;
+    return static_cast<int>(denoiser | (frameIndex % kRingSize) << kSlotShift);
+}
+
+void Plugin::setDevice(const NrdPluginDevice& device, Creator create)
+{
+    if (!device.getCommandBuffer) throw invalid("getCommandBuffer is null");
+    Device result;
+    result.native.instance = device.instance;
+    result.native.physicalDevice = device.physicalDevice;
+    result.native.device = device.device;
+    result.native.queueFamilyIndex = device.queueFamilyIndex;
+    result.native.getInstanceProcAddr = device.getInstanceProcAddr;
+    result.native.isSynchronization2Enabled = device.isSynchronization2Enabled != 0;
+    result.native.isDebugUtilsEnabled = device.isDebugUtilsEnabled != 0;
+    result.framesInFlight = device.framesInFlight ? device.framesInFlight : kDefaultFramesInFlight;
+    result.getCommandBuffer = device.getCommandBuffer;
+    result.userArg = device.userArg;
+    result.create = std::move(create);
+    // Created with nothing to denoise: a device that cannot be used is refused here and not with the first denoiser.
+    NrdIntegration probe;
+    IntegrationCreationDesc desc;
+    desc.native = result.native;
+    desc.resourceWidth = desc.resourceHeight = 1;
+    desc.framesInFlight = result.framesInFlight;
+    const Result isUsable = result.create(probe, desc, {});
+    if (isUsable != Result::SUCCESS) throw Refusal(isUsable, probe.GetLastMessage());
+
+    const std::lock_guard lock(m_mutex);
+    if (m_device) throw invalid("the device is set already: NrdPluginReleaseAll() must come in between");
+    m_checker.emplace();
+    m_device = std::move(result);
+}
+
+const Device& Plugin::requireDevice() const
+{
+    if (!m_device) throw invalid("NrdPluginSetDevice() must succeed first");
+    return *m_device;
+}
+
+void Plugin::initialize(uint32_t denoiser, Images images)
+{
+    const Denoiser kind = toDenoiser(denoiser);
+    const Device device = [this]
+    {
+        const std::lock_guard lock(m_mutex);
+        return requireDevice();
+    }();
+    auto session = std::make_shared<Session>(device, kind, images);
+    const std::lock_guard lock(m_mutex);
+    if (m_sessions[denoiser]) retire(m_sessions[denoiser]);
+    m_sessions[denoiser] = std::move(session);
+}
+
+void Plugin::setFrame(const NrdPluginFrame& frame)
+{
+    const std::lock_guard lock(m_mutex);
+    (void)requireDevice();
+    m_checker->require(frame);
+    RingSlot& slot = m_ring[frame.frameIndex % kRingSize];
+    const bool isRepeated = slot.frame && slot.frame->frameIndex == frame.frameIndex;
+    slot.frame = frame;
+    slot.sessions = m_sessions;
+    if (isRepeated) return;
+    m_frameNum++;
+    collectRetired();
+}
+
+Plugin::Event Plugin::findEvent(uint32_t eventId)
+{
+    const uint32_t denoiser = eventId & kDenoiserBits;
+    const uint32_t slotIndex = eventId >> kSlotShift;
+    if (slotIndex >= kRingSize) throw invalid(sentence("event id 0x%X has bits above 9, which must be 0", eventId));
+    const char* const name = toString(toDenoiser(denoiser));
+    const std::lock_guard lock(m_mutex);
+    const Device& device = requireDevice();
+    const RingSlot& slot = m_ring[slotIndex];
+    if (!slot.frame) throw invalid(sentence("event id 0x%X: no frame was set in ring slot %u", eventId, slotIndex));
+    if (!slot.sessions[denoiser])
+        throw invalid(sentence("event id 0x%X: %s was not initialised when frame %u was set", eventId, name,
+                               slot.frame->frameIndex));
+    return {*slot.frame, slot.sessions[denoiser], device.getCommandBuffer, device.userArg};
+}
+
+void Plugin::execute(uint32_t eventId)
+{
+    const Event event = findEvent(eventId);
+    const VkCommandBuffer commandBuffer = event.getCommandBuffer(event.userArg);
+    if (commandBuffer == VK_NULL_HANDLE) throw invalid("getCommandBuffer returned null");
+    event.session->execute(commandBuffer, event.frame);
+}
+
+void Plugin::release(uint32_t denoiser)
+{
+    const Denoiser kind = toDenoiser(denoiser);
+    const std::lock_guard lock(m_mutex);
+    if (!m_sessions[denoiser]) throw invalid(sentence("%s is not initialised", toString(kind)));
+    retire(m_sessions[denoiser]);
+}
+
+void Plugin::retire(std::shared_ptr<Session>& session)
+{
+    m_retired.push_back({session, m_frameNum});
+    session.reset();
+}
+
+// Frames that were set may be recorded three frames later, and the GPU be done with them framesInFlight frames later.
+void Plugin::collectRetired()
+{
+    const uint64_t age = kRingSize + m_device->framesInFlight;
+    const auto isDone = [&](const Retired& retired) { return m_frameNum > retired.frameNum + age; };
+    m_retired.erase(std::remove_if(m_retired.begin(), m_retired.end(), isDone), m_retired.end());
+}
+
+void Plugin::releaseAll()
+{
+    const std::lock_guard lock(m_mutex);
+    m_retired.clear();
+    for (RingSlot& slot : m_ring) slot = {};
+    m_sessions = {};
+    m_checker.reset();
+    m_device.reset();
+    m_frameNum = 0;
+}
+} // namespace nrd::plugin

@@ -1,0 +1,70 @@
+#include "session.h"
+#include "frame.h"
+#include "refusal.h"
+
+namespace nrd::plugin
+{
+Session::Session(const Device& device, Denoiser denoiser, Images images)
+    : m_denoiser(denoiser), m_images(slotted(denoiser, images))
+{
+    create(device);
+}
+
+void Session::create(const Device& device)
+{
+    IntegrationCreationDesc desc;
+    desc.name = toString(m_denoiser);
+    desc.native = device.native;
+    desc.resourceWidth = m_images.common.resourceSize[0];
+    desc.resourceHeight = m_images.common.resourceSize[1];
+    desc.framesInFlight = device.framesInFlight;
+    desc.maxDenoiseCallsPerFrame = 1;
+    desc.createDefaultPipelines = true; // here, not on the render thread
+    const DenoiserDesc denoiser = {kIdentifier, m_denoiser};
+    InstanceCreationDesc instance;
+    instance.denoisers = &denoiser;
+    instance.denoisersNum = 1;
+    instance.normalEncoding = m_images.normalEncoding;
+    check(device.create(m_integration, desc, instance));
+}
+
+void Session::check(Result result) const
+{
+    if (result != Result::SUCCESS) throw Refusal(result, m_integration.GetLastMessage());
+}
+
+CommonSettings Session::settingsFor(const NrdPluginFrame& frame) const
+{
+    CommonSettings result = toCommonSettings(frame, m_images.common.resourceSize);
+    result.isHistoryConfidenceAvailable = m_images.common.isHistoryConfidenceAvailable;
+    result.isDisocclusionThresholdMixAvailable = m_images.common.isDisocclusionThresholdMixAvailable;
+    result.isSpecularMotionAvailable = m_images.common.isSpecularMotionAvailable;
+    result.enableValidation = m_images.common.enableValidation;
+    if (m_last && m_last->frameIndex + 1 == frame.frameIndex)
+        continueFrom(*m_last, result);
+    else if (result.accumulationMode == AccumulationMode::CONTINUE)
+        result.accumulationMode = AccumulationMode::RESTART; // motion vectors lead to a frame the history is not of
+    return result;
+}
+
+void Session::execute(VkCommandBuffer commandBuffer, const NrdPluginFrame& frame)
+{
+    const std::lock_guard lock(m_mutex);
+    if (m_last && m_last->frameIndex == frame.frameIndex)
+        throw Refusal(Result::INVALID_ARGUMENT,
+                      sentence("%s is executed twice in frame %u", toString(m_denoiser), frame.frameIndex));
+    // Opened once for each frame that is recorded, whatever was refused: its ring must not run ahead of the GPU.
+    if (!m_isFrameOpen) check(m_integration.NewFrame());
+    m_isFrameOpen = true;
+    const CommonSettings settings = settingsFor(frame);
+    check(m_integration.SetCommonSettings(settings));
+    if (m_denoiser == Denoiser::SIGMA_SHADOW || m_denoiser == Denoiser::SIGMA_SHADOW_TRANSLUCENCY)
+        check(m_integration.SetDenoiserSettings(kIdentifier, toSigmaSettings(frame)));
+    DenoiseOptions options;
+    options.restoreInitialStates = true;
+    NrdUserPool pool = m_images.pool;
+    check(m_integration.Denoise(commandBuffer, &kIdentifier, 1, pool, options));
+    m_isFrameOpen = false;
+    m_last = settings;
+}
+} // namespace nrd::plugin

@@ -1,0 +1,1 @@
+#include "front_end_functions.glsl"
