@@ -6,7 +6,7 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 
 if [ $# -lt 1 ] || [ $# -gt 2 ]; then
-    echo "usage: $0 TARGET [SECONDS], TARGET one of those of tests/fuzz: nrd, integration, settings, gltf, capture" >&2
+    echo "usage: $0 TARGET [SECONDS], TARGET one of those of tests/fuzz: nrd, integration, plugin, settings, gltf, capture" >&2
     exit 2
 fi
 target=$1
