@@ -8,14 +8,13 @@ namespace nrd
 class FrameSets
 {
 public:
-    /// `room`: for the sets of one frame. Three times that is held: what ping-pong textures make of two visits of the
-    /// slot, and a frame that needs all others.
-    FrameSets(rhi::Device& device, rhi::DescriptorPoolDesc room);
+    /// `room`: for the sets of one frame.
+    FrameSets(rhi::Device& device, const rhi::DescriptorPoolDesc& room);
 
     /// The GPU is done with the slot's last frame. Throws rhi::Error.
     void beginFrame();
-    /// Takes back what a call that failed has taken in this frame.
-    void beginCall() { m_taken = m_kept; }
+    /// Takes back what a call that failed has taken in this frame. Throws rhi::Error.
+    void beginCall();
     void endCall() { m_kept = m_taken; }
 
     /// A set that no other dispatch of the frame has. `generation` of the views: sets of another one are never bound
@@ -28,17 +27,19 @@ private:
     {
         const rhi::Pipeline* pipeline = nullptr;
         rhi::DescriptorSet* set = nullptr;
-        rhi::Span<const rhi::DescriptorWrite> writes; // of m_writes
+        size_t firstWrite = 0;
+        size_t writeCount = 0; // 0 = nothing was written yet
         uint64_t generation = 0;
-        uint64_t lastVisit = 0; // that took it
     };
+    void dropIfMany();
+    rhi::Span<const rhi::DescriptorWrite> writesOf(const Entry& entry) const;
     size_t findEmpty(const rhi::Pipeline& pipeline, uint32_t set);
     const rhi::DescriptorSet& takeAt(size_t index);
 
-    uint64_t m_visit = 0; // frames that had this slot
+    size_t m_frameWriteCount; // of a frame, at most
     std::unique_ptr<rhi::DescriptorPool> m_pool;
-    std::vector<Entry> m_entries;               // those taken in this frame come first
-    std::vector<rhi::DescriptorWrite> m_writes; // of all entries, never more than was reserved
+    std::vector<Entry> m_entries; // those taken in this frame come first
+    std::vector<rhi::DescriptorWrite> m_writes;
     size_t m_taken = 0;
     size_t m_kept = 0; // taken by calls that succeeded
 };
