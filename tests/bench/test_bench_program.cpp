@@ -81,7 +81,7 @@ TEST_CASE("the expression selects, and a still camera and settings are passed on
 {
     File file;
     const Outcome outcome = run("--denoisers 'REBLUR_(DIFFUSE|SPECULAR)' --sizes 32x32,48x20 --frames 2 --static "
-                                "--sky 10 --set maxStabilizedFrameNum=0 --json " +
+                                "--sky 10 --set diffusePrepassBlurRadius=0 --json " +
                                 file.path.string());
     INFO(outcome.text);
     REQUIRE(outcome.exitCode == 0);
@@ -91,9 +91,9 @@ TEST_CASE("the expression selects, and a still camera and settings are passed on
     CHECK(json[1]["resolution"] == nlohmann::json({48, 20}));
     CHECK(json[3]["denoiser"] == "REBLUR_SPECULAR");
     CHECK(json[0]["input"]["static"] == true);
-    CHECK(json[0]["settings"]["maxStabilizedFrameNum"] == "0");
+    CHECK(json[0]["settings"]["diffusePrepassBlurRadius"] == "0");
     CHECK(json[0]["input"]["skyPercent"].get<double>() > 7.0);
-    for (const nlohmann::json& pass : json[0]["gpuMs"]["passes"]) CHECK(pass["name"] != "Temporal stabilization");
+    for (const nlohmann::json& pass : json[0]["gpuMs"]["passes"]) CHECK(pass["name"] != "Pre-pass");
 }
 
 TEST_CASE("memory alone is told at any size at once", "[gpu]")
