@@ -11,8 +11,8 @@ case "${1:-}" in
     "") exec bash cmake/total.sh "bash cmake/sanitize.sh memory" "bash cmake/sanitize.sh threads" ;;
     memory)
         preset=sanitize
-        targets=(nrd-test-{nrd,rhi,integration,plugin,threads,capture,sample} nrd-fuzz-{nrd,integration,settings,gltf,capture})
-        tests='nrd|rhi|integration|plugin|threads|capture|sample-cpu|fuzz-(nrd|integration|settings|gltf|capture)' ;;
+        targets=(nrd-test-{nrd,rhi,integration,plugin,threads,capture,sample} nrd-fuzz-{nrd,integration,plugin,settings,gltf,capture})
+        tests='nrd|rhi|integration|plugin|threads|capture|sample-cpu|fuzz-.*' ;;
     threads)
         preset=sanitize-threads
         targets=(nrd-test-{threads,plugin})

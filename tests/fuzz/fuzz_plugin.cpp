@@ -1,5 +1,6 @@
 // Every function of the plug-in's C interface in any order over recording devices, with arbitrary structs, numbers and
 // null wherever a pointer is taken.
+#include <cstring>
 #include "fuzz.h"
 #include "integration_access.h"
 #include "plugin_access.h"
@@ -147,6 +148,12 @@ void Calls::initialize()
     {
         NrdPluginImage& image = images[m_reader.below(imageNum)];
         image = m_reader.flag() ? NrdPluginImage{} : damagedStruct(image, m_reader);
+        // What no variable of the enumerations can hold is the caller's fault in C as well.
+        uint32_t words[2];
+        std::memcpy(&words[0], &image.format, 4);
+        std::memcpy(&words[1], &image.layout, 4);
+        image.format = static_cast<VkFormat>(words[0] & 0x7FFFFFFFu);
+        image.layout = static_cast<VkImageLayout>(words[1] & 0x7FFFFFFFu);
     }
     if (m_reader.below(16) == 0) images.resize(m_reader.below(32));
     const bool isNull = m_reader.below(32) == 0;
