@@ -20,7 +20,7 @@ template <> struct ModeNames<nrd::AccumulationMode>
 };
 template <> struct ModeNames<nrd::PrePassMode>
 {
-    static constexpr const char* names[] = {"OFF", "SIMPLE"};
+    static constexpr const char* names[] = {"OFF", "SIMPLE", "AUTO"};
 };
 template <> struct ModeNames<nrd::CheckerboardMode>
 {

@@ -72,7 +72,7 @@ Surface makeSurface(ivec2 pixel)
     s.NoV = abs(dot(s.guide.N, s.V));
     s.meanN = meanNormal();
     float share = 0.0;
-    if (kHasDisocclusionMix) share = textureLod(sampler2D(gIn_DisocclusionMix, gLinearClamp), s.uv, 0.0).x;
+    if (g.hasDisocclusionMix != 0u) share = textureLod(sampler2D(gIn_DisocclusionMix, gLinearClamp), s.uv, 0.0).x;
     if (kHasMaterialTest && s.guide.materialID == g.strandMaterialID)
         share = saturate(0.5 * s.pixelSize / (g.strandThickness + kEps));
     s.disocclusionThreshold = mix(g.disocclusionThreshold, g.disocclusionThresholdAlternate, share);
@@ -97,10 +97,9 @@ HistoryRead surfaceRead(SurfaceTrack track)
 struct History
 {
     Signal signal;
+    float fast;       // luma
     float stabilized; // luma
 };
-
-vec4 readFast(HistoryRead read) { return fetchBilinear(gIn_Fast, read.origin, read.weights, lastPrevTexel()); }
 
 #if IS_STABILIZED
 #define STABILIZED(read) (kHasStabilization ? read[channel] : 0.0)
@@ -108,24 +107,27 @@ vec4 readFast(HistoryRead read) { return fetchBilinear(gIn_Fast, read.origin, re
 #define STABILIZED(read) 0.0
 #endif
 
-// Both textures in one branch.
+// All textures in one branch.
 History fetchHistory(texture2D t, int channel, HistoryRead read)
 {
     // Catmull-Rom keeps a moving history sharp; over invalid texels it would ring and leak.
     if (read.isCubic)
     {
         CatmullRom c = makeCatmullRom(read.position, g.resourceSizeInvPrev);
+        vec2 uv = read.position * g.resourceSizeInvPrev;
         return History(Signal(fetchCatmullRom(t, gLinearClamp, c), vec3(0.0)),
+                       textureLod(sampler2D(gIn_Fast, gLinearClamp), uv, 0.0)[channel],
                        STABILIZED(fetchCatmullRom(gIn_Stab, gLinearClamp, c)));
     }
     return History(Signal(fetchBilinear(t, read.origin, read.weights, lastPrevTexel()), vec3(0.0)),
+                   fetchBilinear(gIn_Fast, read.origin, read.weights, lastPrevTexel())[channel],
                    STABILIZED(fetchBilinear(gIn_Stab, read.origin, read.weights, lastPrevTexel())));
 }
 
 // After a cut it stands in for no broken sample either.
 History readHistory(texture2D t, texture2D second, int channel, HistoryRead read)
 {
-    if (isHistoryReset()) return History(kNoSignal, 0.0);
+    if (isHistoryReset()) return History(kNoSignal, 0.0, 0.0);
     History history = fetchHistory(t, channel, read);
     history.signal.value = clampNegatives(history.signal.value);
     history.stabilized = max(history.stabilized, 0.0);
@@ -136,10 +138,19 @@ History readHistory(texture2D t, texture2D second, int channel, HistoryRead read
     return history;
 }
 
-// The pre-pass has made sure that everything is finite.
-Signal readAccumulated(texture2D t, texture2D second, ivec2 pixel, out bool isValid)
+// How bright a sample may be, per lobe. The pre-pass has seen to that where it runs.
+vec2 readCap(ivec2 pixel)
 {
-    if (!kHasPrepass) return readInput(t, second, pixel, isValid);
+#if HAS_CAP
+    if (!kHasPrepass && g.isCapped != 0u) return texelFetch(gIn_Cap, pixel / TILE_SIZE, 0).xy;
+#endif
+    return vec2(NRD_FP16_MAX);
+}
+
+// The pre-pass has made sure that everything is finite.
+Signal readAccumulated(texture2D t, texture2D second, ivec2 pixel, int channel, out bool isValid)
+{
+    if (!kHasPrepass) return capLuma(readInput(t, second, pixel, isValid), readCap(pixel)[channel]);
     Signal signal = readSignal(t, second, pixel);
     isValid = kIsBounded || signal.value.w >= 0.0;
     return signal;

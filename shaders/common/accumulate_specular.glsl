@@ -91,7 +91,7 @@ float motionCurvature(Surface s, SurfaceTrack track)
 // How far the view may turn before a lobe of this width, reflecting something at this distance, has changed.
 float surfaceConfidence(Surface s, SurfaceTrack track, float roughness, float normHitDist, float motion)
 {
-    float angle = atan(track.parallaxMax * s.pixelSize / max(length(s.X), 1e-6)) * mix(0.1, 1.0, motion);
+    float angle = angleOf(track.parallaxMax * s.pixelSize / max(length(s.X), 1e-6)) * mix(0.1, 1.0, motion);
     float weight = newSampleWeight(track.n[kSpecularChannel]);
     vec2 uv = clamp(track.uv, 0.0, 1.0) * g.rectSizePrev * g.resourceSizeInvPrev;
     float history = decodeValue(textureLod(sampler2D(gIn_SpecularHistory, gLinearClamp), uv, 0.0)).w;
@@ -99,7 +99,7 @@ float surfaceConfidence(Surface s, SurfaceTrack track, float roughness, float no
     float hitDist = getHitDist(mixed, s.viewZ, s.guide.roughness);
     float factor = hitDistFactor(hitDist, s.frustumSize);
     float tangent = lobeTangent(roughness, 0.75) * mix(s.NoV, 1.0, roughness) * weight / (factor + kEps);
-    float allowed = max(atan(tangent), normalEncodingError(kNormalEncoding));
+    float allowed = max(angleOf(tangent), normalEncodingError(kNormalEncoding));
     float confidence = square(square(ramp(allowed, 0.0, angle)));
     return mix(confidence, 1.0, ramp(0.8, 0.9, roughness));
 }
@@ -204,7 +204,7 @@ LobeResult accumulateSpecular(Surface s, SurfaceTrack surface)
     LobeResult result;
     float hitDist = trackingDistance(s);
     bool isValid;
-    Signal signal = readAccumulated(gIn_Specular, gIn_SpecularSh, s.pixel, isValid);
+    Signal signal = readAccumulated(gIn_Specular, gIn_SpecularSh, s.pixel, kSpecularChannel, isValid);
     Reflection reflection = readReflection(s, isValid ? signal.value.w : 0.0, hitDist);
     storeTrack(s.pixel, hitDist, reflection);
     float motion = saturate(length((surface.uv - s.uv) * g.rectSize) / 0.25);
@@ -235,9 +235,8 @@ LobeResult accumulateSpecular(Surface s, SurfaceTrack surface)
     mixed = storeConfidence(s.pixel, mixed, isHistoryReset() ? 0.0 : trust);
 #endif
     storeSignal(gOut_Specular, gOut_SpecularSh, s.pixel, mixed);
-    float fastHistory = readFast(read)[kSpecularChannel];
     float fastWeight = specularFastWeight(s, n, trust, share);
-    result.fast = limitFast(mixFast(fastHistory, luma(signal), fastWeight), luma(history), n);
+    result.fast = limitFast(mixFast(stored.fast, luma(signal), fastWeight), luma(history), n);
     result.noisy = limitFast(luma(signal), luma(history), n);
     result.stabHistory = stored.stabilized;
     float valid = mix(dot(surface.weights, vec4(1.0)), dot(image.weights, vec4(1.0)), amount);

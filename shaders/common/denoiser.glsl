@@ -96,7 +96,7 @@ float hitDistFactor(float hitDist, float frustumSize) { return saturate(hitDist 
 float normalCutoff(float roughness, float narrowing)
 {
     float share = 0.75 * mix(g.lobeAngleFraction, 1.0, narrowing);
-    return max(atan(lobeTangent(roughness, share)), normalEncodingError(kNormalEncoding));
+    return max(angleOf(lobeTangent(roughness, share)), normalEncodingError(kNormalEncoding));
 }
 
 #include "signal.glsl"

@@ -11,7 +11,7 @@ layout(constant_id = SPEC_HAS_PREPASS) const bool kHasPrepass = true;
 layout(constant_id = SPEC_HAS_STABILIZATION) const bool kHasStabilization = true;
 layout(constant_id = SPEC_HAS_MATERIAL_TEST) const bool kHasMaterialTest = false;
 layout(constant_id = SPEC_HAS_CONFIDENCE) const bool kHasConfidence = false;
-layout(constant_id = SPEC_HAS_DISOCCLUSION_MIX) const bool kHasDisocclusionMix = false;
+layout(constant_id = SPEC_HAS_SPECULAR_MOTION) const bool kHasSpecularMotion = false;
 layout(constant_id = SPEC_HAS_ANTI_FIREFLY) const bool kHasAntiFirefly = true;
 
 layout(set = SET_CONSTANTS, binding = BINDING_CONSTANTS, std140) uniform Constants { DenoiserConstants g; };

@@ -24,7 +24,7 @@ vec4 motionAt(Surface s, int i)
 vec3 reflectedMotion(Surface s)
 {
     float share = ramp(kMinRoughnessOfBlur, kMaxRoughnessOfImage, s.guide.roughness);
-    if (g.hasSpecularMotion == 0u || share == 0.0) return vec3(0.0);
+    if (!kHasSpecularMotion || share == 0.0) return vec3(0.0);
     vec4 sum = vec4(0.0);
     // Not unrolled: nine motions at once take more registers than all else, also where there is no motion.
     [[dont_unroll]] for (int i = 0; i < 9; i++) sum += motionAt(s, i);
@@ -62,7 +62,7 @@ void storeTrack(ivec2 pixel, float hitDist, Reflection reflection)
 float vacancyConfidence(Surface s, Reflection reflection, Footprint footprint)
 {
 #if IS_BOUNDED == 0
-    if (g.hasSpecularMotion != 0u && !isMoving(reflection))
+    if (kHasSpecularMotion && !isMoving(reflection))
     {
         vec2 uv = (vec2(footprint.origin) + 1.0) * g.resourceSizeInvPrev;
         vec4 tracks = gatherOrder(textureGather(sampler2D(gIn_PrevTrack, gNearestClamp), uv));

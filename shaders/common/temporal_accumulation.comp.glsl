@@ -12,7 +12,9 @@
 #define FIRST_TRACK (FIRST_SCALAR + 1 + IS_STABILIZED)
 #define HAS_TRACK (HAS_SPECULAR * (1 - IS_BOUNDED))
 #define SPECULAR_MOTION (FIRST_TRACK + HAS_SPECULAR + HAS_TRACK)
-#define FIRST_OUT (SPECULAR_MOTION + HAS_SPECULAR)
+#define HAS_CAP (1 - IS_BOUNDED)
+#define CAP (SPECULAR_MOTION + HAS_SPECULAR)
+#define FIRST_OUT (CAP + HAS_CAP)
 #define FIRST_SCALAR_OUT (FIRST_OUT + SIGNAL_NUM)
 
 layout(local_size_x = 8, local_size_y = 16) in;
@@ -60,6 +62,9 @@ uniform writeonly image2D gOut_VirtualAmount;
 layout(set = SET_RESOURCES, binding = FIRST_SCALAR_OUT + 4) uniform writeonly image2D gOut_Confidence;
 #endif
 #endif
+#if HAS_CAP
+layout(set = SET_RESOURCES, binding = CAP) uniform texture2D gIn_Cap;
+#endif
 layout(set = SET_RESOURCES, binding = FIRST_SCALAR) uniform texture2D gIn_Fast;
 layout(set = SET_RESOURCES, binding = FIRST_SCALAR_OUT) uniform writeonly image2D gOut_Fast;
 layout(set = SET_RESOURCES, binding = FIRST_SCALAR_OUT + 1) uniform writeonly image2D gOut_Length;
@@ -94,13 +99,12 @@ LobeResult accumulateDiffuse(Surface s, SurfaceTrack surface)
     History stored = readHistory(gIn_DiffuseHistory, gIn_DiffuseHistorySh, 0, read);
     Signal history = stored.signal;
     bool isValid;
-    Signal signal = readAccumulated(gIn_Diffuse, gIn_DiffuseSh, s.pixel, isValid);
+    Signal signal = readAccumulated(gIn_Diffuse, gIn_DiffuseSh, s.pixel, 0, isValid);
     if (!isValid) signal = history;
     float share = dataShare(s.pixel, false, result.n);
     storeSignal(gOut_Diffuse, gOut_DiffuseSh, s.pixel, mixHistory(history, signal, result.n, share, 1.0));
-    float fastHistory = readFast(read).x;
     float fastWeight = newSampleWeight(min(result.n, g.maxFastAccumulatedFrameNum.x)) * share;
-    result.fast = limitFast(mixFast(fastHistory, luma(signal), fastWeight), luma(history), result.n);
+    result.fast = limitFast(mixFast(stored.fast, luma(signal), fastWeight), luma(history), result.n);
     result.noisy = limitFast(luma(signal), luma(history), result.n);
     result.stabHistory = stored.stabilized;
     result.stabWeight = isHistoryReset() ? 0.0 : sqrt(saturate(dot(surface.weights, vec4(1.0))));

@@ -70,8 +70,8 @@ float stillnessConfidence(Surface s, Reflector r, Reflection reflection, float n
 {
     if (!isMoving(reflection)) return 1.0;
     vec3 motion = mirrorMotion(reflection.motion, s.guide.N);
-    float turn = atan(length(motion - dot(motion, r.V) * r.V) / max(reflection.hitDist, 1e-6));
-    float allowed = atan(lobeTangent(s.guide.roughness, 0.75) * newSampleWeight(n));
+    float turn = angleOf(length(motion - dot(motion, r.V) * r.V) / max(reflection.hitDist, 1e-6));
+    float allowed = angleOf(lobeTangent(s.guide.roughness, 0.75) * newSampleWeight(n));
     return square(square(ramp(max(allowed, normalEncodingError(kNormalEncoding)), 0.0, turn)));
 }
 
@@ -198,9 +198,9 @@ VirtualTrack trackVirtual(Surface s, SurfaceTrack surface, float hitDist, float 
     track.n = fetchLengths(track.footprint.origin, track.weights)[kSpecularChannel];
 
     float lobeTan = max(lobeTangent(s.guide.roughness, 0.75 / (1.0 + track.n)), normalEncodingError(kNormalEncoding));
-    float lobeAngle = atan(lobeTan);
+    float lobeAngle = angleOf(lobeTan);
     float stretch = max(track.distanceToSurface / max(s.NoV, 0.01), 1.0);
-    float curvatureAngle = atan(2.0 * s.pixelSize * abs(curvature) * stretch);
+    float curvatureAngle = angleOf(2.0 * s.pixelSize * abs(curvature) * stretch);
     float normalPart = angleConfidence(s.guide.N, normalize(previousGuide.xyz + 1e-9), curvatureAngle, lobeAngle);
     normalPart = mix(1.0, normalPart, smooth01(track.distanceToSurface));
     float lookBack = lookBackConfidence(s, track, surface.uv, previousGuide, curvatureAngle, lobeAngle);

@@ -32,6 +32,14 @@ float angleBetween(vec3 a, vec3 b) { return distance(a, b); }
 
 float square(float x) { return x * x; }
 
+// Of a tangent of at least 0, within 0.005 radians: atan() takes three times as long. Exact towards 0.
+float angleOf(float tangent)
+{
+    float inner = tangent / (1.0 + 0.28 * tangent * tangent);
+    float outer = 0.5 * 3.14159265 - tangent / (tangent * tangent + 0.28);
+    return tangent <= 1.0 ? inner : outer;
+}
+
 // To the nearest half float. Some devices truncate on store; in a recurrent filter that is a steady loss of energy.
 float roundToHalf(float x)
 {

@@ -88,7 +88,8 @@ struct DenoiserConstants
     uint returnHistoryLength;
     uint hasValidation;       // 1: OUT_VALIDATION is drawn
     uint isCutDetected;       // 1: the texture "Cut" holds the device's own opinion
-    uint hasSpecularMotion;   // 1: IN_SPEC_MV is bound
+    uint hasDisocclusionMix;  // 1: IN_DISOCCLUSION_THRESHOLD_MIX is bound
+    uint isCapped;            // 1: the texture "Cap" says how bright a sample may be
     uint checkerboard;        // value of CheckerboardMode
     float checkerboardResolve;
     int reconstructionRadius; // pixels, 0 = hit distances are complete

@@ -13,7 +13,7 @@ DenoiserConstants g;
 int kStep = 0; // likewise
 const int kNormalEncoding = 2, kRoughnessEncoding = 1;
 const bool kHasPrepass = true, kHasStabilization = true, kHasMaterialTest = false, kHasConfidence = false;
-const bool kHasDisocclusionMix = false, kHasAntiFirefly = true;
+const bool kHasSpecularMotion = false, kHasAntiFirefly = true;
 
 // Named by functions that are not called here.
 layout(set = 1, binding = 0) uniform sampler gNearestClamp;

@@ -105,8 +105,9 @@ struct ReblurSettings
 
     float fastHistoryClampingSigmaScale = 2.0f; // [1; 3] standard deviations
     // Radii are pixels at a rectangle of 1440 lines and scale with the square root of its height: fewer pixels average
-    // less noise away, but each spans more of the scene.
-    PrePassMode prePassMode = PrePassMode::SIMPLE;
+    // less noise away, but each spans more of the scene. The pre-pass is of use where most samples are missing or wrong;
+    // what it blurs no later pass brings back.
+    PrePassMode prePassMode = PrePassMode::AUTO;
     float diffusePrepassBlurRadius = 18.0f;         // [0; 256] pixels, 0 = off
     float specularPrepassBlurRadius = 36.0f;        // [0; 256] pixels, 0 = off
     float minHitDistanceWeight = 0.1f;              // [0; 0.2]
@@ -152,16 +153,15 @@ struct RelaxSettings
     float historyFixEdgeStoppingNormalPower = 8.0f;  // (0; 128], of the cosine between normals; diffuse only
     float fastHistoryClampingSigmaScale = 2.0f;      // [1; 3] standard deviations
 
-    // Radii are pixels at a rectangle of 1440 lines and scale with the square root of its height, as REBLUR's do. Clean
-    // signals want none: what the pre-pass blurs no later pass brings back.
-    PrePassMode prePassMode = PrePassMode::SIMPLE;
+    // Radii are pixels at a rectangle of 1440 lines and scale with the square root of its height, as REBLUR's do.
+    PrePassMode prePassMode = PrePassMode::AUTO;
     float diffusePrepassBlurRadius = 18.0f;  // [0; 256] pixels, 0 = off
     float specularPrepassBlurRadius = 36.0f; // [0; 256] pixels, 0 = off
     float minHitDistanceWeight = 0.1f;       // (0; 0.2]
 
     // The wavelet reaches 2^atrousIterationNum - 1 pixels. A difference of luminance counts in standard deviations of
     // the signal: the phis say how many of them lower a weight to 1/e, the minima below what no difference lowers it.
-    uint32_t atrousIterationNum = 4;                        // [2; 8] passes
+    uint32_t atrousIterationNum = 3;                        // [2; 8] passes
     uint32_t spatialVarianceEstimationHistoryThreshold = 3; // [0; 63] frames, shorter histories look at 5x5 pixels
     float diffusePhiLuminance = 2.0f;                       // [0; 100]
     float specularPhiLuminance = 1.0f;                      // [0; 100]

@@ -187,6 +187,7 @@ enum class PrePassMode : uint8_t
 {
     OFF,
     SIMPLE, // taps are weighed by guides and hit distance
+    AUTO,   // SIMPLE where hit distances or half of a checkerboard are to be completed, else OFF
     MAX_NUM
 };
 

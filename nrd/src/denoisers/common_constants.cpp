@@ -57,7 +57,7 @@ void fillFrame(const Request& request, shared::DenoiserConstants& g)
     g.splitScreenPrev = request.isReset ? common.splitScreen : request.history.splitScreen;
     g.isHistoryReset = request.isReset ? 1 : 0;
     g.hasValidation = common.enableValidation ? 1 : 0;
-    g.hasSpecularMotion = common.isSpecularMotionAvailable ? 1 : 0;
+    g.hasDisocclusionMix = common.isDisocclusionThresholdMixAvailable ? 1 : 0;
     g.isCutDetected = common.enableCutDetection ? 1 : 0;
 }
 
@@ -105,10 +105,11 @@ void fillIncomplete(const Request& request, CheckerboardMode checkerboard, HitDi
 
 // Of a mean against its history: a sample of about 70 times the history passes a loose limit, one of 35 a tight one; of
 // what is more, a share that shrinks as the history grows, so that light may come to where all was black.
-void fillFireflies(bool isTight, bool isCapped, float minScale, float maxBlurRadius, shared::DenoiserConstants& g)
+void fillFireflies(bool isCapped, float minScale, float headroom, float maxBlurRadius, shared::DenoiserConstants& g)
 {
-    g.fireflyMinScale = isTight ? 0.5f * (1.0f + minScale) : minScale;
-    g.fireflyHeadroom = isTight ? 19.0f : 38.0f;
-    g.fireflyStrictness = isTight && !isCapped ? 1e6f : 0.1f * maxBlurRadius;
+    g.isCapped = isCapped ? 1 : 0;
+    g.fireflyMinScale = minScale;
+    g.fireflyHeadroom = headroom;
+    g.fireflyStrictness = 0.1f * maxBlurRadius;
 }
 } // namespace nrd

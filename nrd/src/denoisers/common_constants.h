@@ -10,12 +10,18 @@ constexpr uint32_t kHistoryMaxFrameNum = 63; // quarter frames in eight bits
 void fillCommon(const Request& request, shared::DenoiserConstants& g);
 void fillIncomplete(const Request& request, CheckerboardMode checkerboard, HitDistanceReconstructionMode reconstruction,
                     shared::DenoiserConstants& g);
-void fillFireflies(bool isTight, bool isCapped, float minScale, float maxBlurRadius, shared::DenoiserConstants& g);
+void fillFireflies(bool isCapped, float minScale, float headroom, float maxBlurRadius, shared::DenoiserConstants& g);
 
-// Whether the pre-pass caps fireflies of all lobes: it may leave one as it is.
-template <class Settings> bool capsFireflies(const Settings& s)
+// Hit distances or half of a checkerboard are left to the pre-pass.
+template <class Settings> bool isIncomplete(const Settings& s)
 {
-    return s.enableAntiFirefly && s.prePassMode != PrePassMode::OFF && s.diffusePrepassBlurRadius > 0.0f &&
-           s.specularPrepassBlurRadius > 0.0f;
+    return s.checkerboardMode != CheckerboardMode::OFF ||
+           s.hitDistanceReconstructionMode != HitDistanceReconstructionMode::OFF;
+}
+
+// Whether the pre-pass mixes neighbouring samples.
+template <class Settings> bool isPrefiltered(const Settings& s)
+{
+    return s.prePassMode == PrePassMode::SIMPLE || (s.prePassMode == PrePassMode::AUTO && isIncomplete(s));
 }
 } // namespace nrd

@@ -1,6 +1,7 @@
 // What the tables of REBLUR and RELAX have in common: conditions and rows that depend on no family's settings.
 #pragma once
 #include "bindings.h"
+#include "common_constants.h"
 #include "pass_table.h"
 
 namespace nrd
@@ -28,13 +29,6 @@ inline bool usesMaterials(const Conditions& c, uint32_t minMaterialForDiffuse, u
            c.common.historyFixAlternatePixelStrideMaterialID < kMaterialNum;
 }
 
-// Hit distances or half of a checkerboard are left to the pre-pass.
-template <class Settings> bool isIncomplete(const Settings& s)
-{
-    return s.checkerboardMode != CheckerboardMode::OFF ||
-           s.hitDistanceReconstructionMode != HitDistanceReconstructionMode::OFF;
-}
-
 template <class Settings> bool isBlurred(const Conditions& c, const Settings& s)
 {
     return (has(c.variant, kDiffuse) && s.diffusePrepassBlurRadius > 0.0f) ||
@@ -42,7 +36,7 @@ template <class Settings> bool isBlurred(const Conditions& c, const Settings& s)
 }
 
 constexpr SwitchRow kConfidence = {SPEC_HAS_CONFIDENCE, hasConfidence};
-constexpr SwitchRow kDisocclusionMix = {SPEC_HAS_DISOCCLUSION_MIX, hasDisocclusionMix};
+constexpr SwitchRow kReflectedMotion = {SPEC_HAS_SPECULAR_MOTION, hasSpecularMotion, kSpecular};
 
 constexpr ResourceType ViewZ = ResourceType::IN_VIEWZ;
 constexpr ResourceType NormalRoughness = ResourceType::IN_NORMAL_ROUGHNESS;

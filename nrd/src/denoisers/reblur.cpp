@@ -86,7 +86,9 @@ constexpr SwitchRow kStabilization = {SPEC_HAS_STABILIZATION, hasStabilization, 
 constexpr SwitchRow kMaterialTest = {SPEC_HAS_MATERIAL_TEST, hasMaterialTest};
 constexpr SwitchRow kAntiFirefly = {SPEC_HAS_ANTI_FIREFLY, hasAntiFirefly, kColor};
 
-bool runsFireflyCap(const Conditions& c) { return runsPrePass(c) && hasAntiFirefly(c); }
+bool runsFireflyCap(const Conditions& c) { return isDenoised(c) && hasAntiFirefly(c); }
+// Without a pre-pass, temporal accumulation sees to it.
+bool isCappedLate(const Conditions& c) { return runsFireflyCap(c) && !hasPrePass(c); }
 
 // Signals go back and forth between two textures, since every pass but the first reads what another wrote around a
 // pixel: the history, once temporal accumulation has read it, and one more, which is the output where that is lent.
@@ -141,14 +143,33 @@ constexpr PassRow kPasses[] = {
      {kAntiFirefly, kMaterialTest}},
     {"Temporal accumulation",
      kTemporalAccumulation,
-     {Tiles, ViewZ, NormalRoughness, Motion, PrevViewZ, PrevNormalRoughness, PrevLength, kCut, kThresholdMix,
-      kDiffuseConfidence, kSpecularConfidence, kAccumulated[0], kAccumulated[1], kHistories[0], kHistories[1], Fast, kStab, kTrackNew,
-      only(kSpecularOcclusion, ResourceType::IN_SPEC_HITDIST), only(kSpecularColor, prev(Track)), kSpecularMotion},
+     {Tiles,
+      ViewZ,
+      NormalRoughness,
+      Motion,
+      PrevViewZ,
+      PrevNormalRoughness,
+      PrevLength,
+      kCut,
+      kThresholdMix,
+      kDiffuseConfidence,
+      kSpecularConfidence,
+      kAccumulated[0],
+      kAccumulated[1],
+      kHistories[0],
+      kHistories[1],
+      Fast,
+      kStab,
+      kTrackNew,
+      only(kSpecularOcclusion, ResourceType::IN_SPEC_HITDIST),
+      only(kSpecularColor, prev(Track)),
+      kSpecularMotion,
+      only(kColor, optional(isCappedLate, Cap))},
      {kSteps[0], kSteps[1], FastTemp, Length, only(kStabilized, StabHistory), only(kStabilized, StabWeight),
       only(kSpecularColor, Track), only(kSpecular, VirtualAmount)},
      kGroup8x16,
      isDenoised,
-     {kPrePassSwitch, kStabilization, kMaterialTest, kConfidence, kDisocclusionMix}},
+     {kPrePassSwitch, kStabilization, kMaterialTest, kConfidence, kReflectedMotion}},
     {"History fix",
      kHistoryFix,
      {Tiles, ViewZ, NormalRoughness, Length, kSteps[0], kSteps[1], FastTemp, only(kSpecularColor, Track)},

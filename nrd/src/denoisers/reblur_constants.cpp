@@ -49,8 +49,7 @@ void fillFilters(const Request& request, const ReblurSettings& s, shared::Denois
     g.minHitDistanceWeight = s.minHitDistanceWeight;
     // Without spatial filtering the long history is as noisy as the fast one, so the box must be wider.
     g.fastClampSigmaScale = toFloat(mix(3.0, s.fastHistoryClampingSigmaScale, saturate(s.maxBlurRadius / 2.0)));
-    const bool isCapped = capsFireflies(s);
-    fillFireflies(s.enableAntiFirefly && !isCapped, isCapped, s.fireflySuppressorMinRelativeScale, g.maxBlurRadius, g);
+    fillFireflies(s.enableAntiFirefly, s.fireflySuppressorMinRelativeScale, 38.0f, g.maxBlurRadius, g);
     g.minMaterialForDiffuse = s.minMaterialForDiffuse;
     g.minMaterialForSpecular = s.minMaterialForSpecular;
     g.isPrepassTrackingOnly = s.usePrepassOnlyForSpecularMotionEstimation ? 1 : 0;
@@ -62,7 +61,7 @@ void fillFilters(const Request& request, const ReblurSettings& s, shared::Denois
 ReblurSettings effective(const ReblurSettings& settings)
 {
     ReblurSettings s = settings;
-    if (s.prePassMode == PrePassMode::OFF) s.diffusePrepassBlurRadius = s.specularPrepassBlurRadius = 0.0f;
+    if (!isPrefiltered(s)) s.diffusePrepassBlurRadius = s.specularPrepassBlurRadius = 0.0f;
     if (!s.enableReferenceAccumulation) return s;
     s.diffusePrepassBlurRadius = s.specularPrepassBlurRadius = s.minBlurRadius = s.maxBlurRadius = 0.0f;
     s.historyFixFrameNum = s.maxStabilizedFrameNum = 0;

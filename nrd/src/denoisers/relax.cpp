@@ -58,12 +58,13 @@ const RelaxSettings& settingsOf(const Conditions& c) { return std::get<RelaxSett
 bool hasPrePass(const Conditions& c)
 {
     const RelaxSettings& s = settingsOf(c);
-    return isIncomplete(s) || (isBlurred(c, s) && s.prePassMode != PrePassMode::OFF);
+    return isIncomplete(s) || (isBlurred(c, s) && isPrefiltered(s));
 }
 bool runsPrePass(const Conditions& c) { return isDenoised(c) && hasPrePass(c); }
 bool hasAntiFirefly(const Conditions& c) { return settingsOf(c).enableAntiFirefly; }
 
-bool runsFireflyCap(const Conditions& c) { return runsPrePass(c) && hasAntiFirefly(c); }
+bool runsFireflyCap(const Conditions& c) { return isDenoised(c) && hasAntiFirefly(c); }
+bool isCappedLate(const Conditions& c) { return runsFireflyCap(c) && !hasPrePass(c); }
 
 bool hasMaterialTest(const Conditions& c)
 {
@@ -136,12 +137,12 @@ constexpr PassRow kPasses[] = {
      kTemporalAccumulation,
      {Tiles, ViewZ, NormalRoughness, Motion, PrevViewZ, PrevNormalRoughness, PrevLength, kCut, kThresholdMix,
       kDiffuseConfidence, kSpecularConfidence, kEachAccumulated, each(History), Fast, kTrackNew,
-      only(kSpecular, prev(Track)), kSpecularMotion},
+      only(kSpecular, prev(Track)), kSpecularMotion, optional(isCappedLate, Cap)},
      {each(Scratch), FastTemp, Length, only(kSpecular, Track), only(kSpecular, VirtualAmount),
       only(kSpecular, Confidence)},
      kGroup8x16,
      isDenoised,
-     {kPrePassSwitch, kMaterialTest, kConfidence, kDisocclusionMix}},
+     {kPrePassSwitch, kMaterialTest, kConfidence, kReflectedMotion}},
     {"History clamping",
      kHistoryClamping,
      {Tiles, ViewZ, NormalRoughness, Length, each(Scratch), FastTemp},

@@ -30,13 +30,14 @@ void fillHistory(const Request& request, const RelaxSettings& s, shared::Denoise
     g.fastClampSigmaScale = s.fastHistoryClampingSigmaScale;
     g.relaxAntilag = {s.antilagSettings.accelerationAmount, s.antilagSettings.spatialSigmaScale,
                       s.antilagSettings.temporalSigmaScale, s.antilagSettings.resetAmount};
-    fillFireflies(s.enableAntiFirefly, capsFireflies(s), 2.0f, 30.0f, g);
+    fillFireflies(s.enableAntiFirefly, s.enableAntiFirefly ? 1.5f : 2.0f, s.enableAntiFirefly ? 19.0f : 38.0f, 30.0f,
+                  g);
     g.responsiveMinFrameNum = static_cast<float>(kHistoryMaxFrameNum);
 }
 
 void fillPrePass(const Request& request, const RelaxSettings& s, shared::DenoiserConstants& g)
 {
-    const float scale = s.prePassMode == PrePassMode::OFF ? 0.0f : request.frame.radiusScale;
+    const float scale = isPrefiltered(s) ? request.frame.radiusScale : 0.0f;
     const HitDistanceParameters parameters; // of no effect but on what "far" is
     g.diffusePrepassRadius = s.diffusePrepassBlurRadius * scale;
     g.specularPrepassRadius = s.specularPrepassBlurRadius * scale;
