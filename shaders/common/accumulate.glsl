@@ -12,6 +12,12 @@ const ivec2 kHalo = ivec2(10, 18); // an 8x16 group and one texel round it
 
 shared vec4 sNormalViewZ[kHalo.y][kHalo.x]; // viewZ: 0 = out of range
 shared float sTracking[kHalo.y][kHalo.x];   // distance to what is reflected, 0 = unknown
+#if HAS_CAP
+shared uvec2 sColor[LOBE_NUM][kHalo.y][kHalo.x]; // of the input without pre-pass: Y and Co, Cg; half floats
+#endif
+
+const float kColorPlaneSensitivity = 0.02;
+const float kColorMinCosine = 0.9;
 
 // World units with the pre-pass; without it normalised by the neighbour's own distance and roughness. Occlusion always
 // looks at the input: what is accumulated may be overwritten by other groups meanwhile.
@@ -25,6 +31,25 @@ float trackingCandidate(ivec2 pixel)
     return kHasPrepass ? texelFetch(gIn_TrackNew, pixel, 0).x : sanitize(texelFetch(gIn_Specular, pixel, 0), isValid).w;
 #else
     return 0.0;
+#endif
+}
+
+#if HAS_CAP
+uvec2 packColor(texture2D t, ivec2 pixel, bool isUsed)
+{
+    bool isValid;
+    vec3 color = sanitize(texelFetch(t, pixel, 0), isValid).xyz;
+    return isUsed ? uvec2(packHalf2x16(color.xy), packHalf2x16(vec2(color.z, 0.0))) : uvec2(0);
+}
+#endif
+
+void loadColors(ivec2 local, ivec2 pixel, bool isUsed)
+{
+#if HAS_CAP && HAS_DIFFUSE
+    sColor[0][local.y][local.x] = packColor(gIn_Diffuse, pixel, isUsed);
+#endif
+#if HAS_CAP && HAS_SPECULAR
+    sColor[kSpecularChannel][local.y][local.x] = packColor(gIn_Specular, pixel, isUsed);
 #endif
 }
 
@@ -43,6 +68,7 @@ void loadNeighbourhood(ivec2 group)
         sNormalViewZ[local.y][local.x] = vec4(N, isUsed ? viewZ : 0.0);
         float tracking = trackingCandidate(pixel);
         sTracking[local.y][local.x] = isUsed ? tracking : 0.0; // what is out of range was not written
+        if (!kHasPrepass) loadColors(local, pixel, isUsed);
     }
 }
 
@@ -147,11 +173,37 @@ vec2 readCap(ivec2 pixel)
     return vec2(NRD_FP16_MAX);
 }
 
-// The pre-pass has made sure that everything is finite.
-Signal readAccumulated(texture2D t, texture2D second, ivec2 pixel, int channel, out bool isValid)
+// The colour of a single sample is noise that no later pass calms as it does luma. So a sample keeps its luma and takes
+// the colour of its neighbourhood, in which brighter samples count for more. share: how much of that.
+Signal calmColor(Surface s, Signal signal, int channel, float share)
 {
-    if (!kHasPrepass) return capLuma(readInput(t, second, pixel, isValid), readCap(pixel)[channel]);
-    Signal signal = readSignal(t, second, pixel);
+#if HAS_CAP
+    vec3 sum = signal.value.xyz;
+    for (int i = 0; i < 4; i++)
+    {
+        ivec2 offset = ivec2(i < 2 ? 2 * i - 1 : 0, i < 2 ? 0 : 2 * i - 5);
+        vec4 other = neighbour(offset);
+        ivec2 local = ivec2(gl_LocalInvocationID.xy) + 1 + offset;
+        uvec2 packed_ = sColor[channel][local.y][local.x];
+        bool isLike = other.w > 0.0 && abs(other.w - s.viewZ) * s.NoV < kColorPlaneSensitivity * s.frustumSize &&
+                      dot(other.xyz, s.guide.N) > kColorMinCosine;
+        if (isLike) sum += vec3(unpackHalf2x16(packed_.x), unpackHalf2x16(packed_.y).x);
+    }
+    vec2 color = signal.value.x * sum.yz / max(sum.x, NRD_LUMA_EPS); // black has none
+    signal.value.yz = mix(signal.value.yz, color, share);
+#endif
+    return signal;
+}
+
+// The pre-pass has made sure that everything is finite.
+Signal readAccumulated(texture2D t, texture2D second, Surface s, int channel, float calmShare, out bool isValid)
+{
+    if (!kHasPrepass)
+    {
+        Signal signal = capLuma(readInput(t, second, s.pixel, isValid), readCap(s.pixel)[channel]);
+        return calmColor(s, signal, channel, calmShare);
+    }
+    Signal signal = readSignal(t, second, s.pixel);
     isValid = kIsBounded || signal.value.w >= 0.0;
     return signal;
 }

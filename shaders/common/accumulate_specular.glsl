@@ -204,7 +204,9 @@ LobeResult accumulateSpecular(Surface s, SurfaceTrack surface)
     LobeResult result;
     float hitDist = trackingDistance(s);
     bool isValid;
-    Signal signal = readAccumulated(gIn_Specular, gIn_SpecularSh, s.pixel, kSpecularChannel, isValid);
+    // What a mirror shows has outlines that no guide knows of.
+    float calmShare = ramp(0.1, 0.3, s.guide.roughness);
+    Signal signal = readAccumulated(gIn_Specular, gIn_SpecularSh, s, kSpecularChannel, calmShare, isValid);
     Reflection reflection = readReflection(s, isValid ? signal.value.w : 0.0, hitDist);
     storeTrack(s.pixel, hitDist, reflection);
     float motion = saturate(length((surface.uv - s.uv) * g.rectSize) / 0.25);

@@ -99,7 +99,7 @@ LobeResult accumulateDiffuse(Surface s, SurfaceTrack surface)
     History stored = readHistory(gIn_DiffuseHistory, gIn_DiffuseHistorySh, 0, read);
     Signal history = stored.signal;
     bool isValid;
-    Signal signal = readAccumulated(gIn_Diffuse, gIn_DiffuseSh, s.pixel, 0, isValid);
+    Signal signal = readAccumulated(gIn_Diffuse, gIn_DiffuseSh, s, 0, 1.0, isValid);
     if (!isValid) signal = history;
     float share = dataShare(s.pixel, false, result.n);
     storeSignal(gOut_Diffuse, gOut_DiffuseSh, s.pixel, mixHistory(history, signal, result.n, share, 1.0));
