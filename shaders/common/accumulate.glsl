@@ -11,10 +11,10 @@
 const ivec2 kHalo = ivec2(10, 18); // an 8x16 group and one texel round it
 
 shared vec4 sNormalViewZ[kHalo.y][kHalo.x]; // viewZ: 0 = out of range
-shared float sTracking[kHalo.y][kHalo.x];   // distance to what is reflected, 0 = unknown
-#if HAS_CAP
-shared uvec2 sColor[LOBE_NUM][kHalo.y][kHalo.x]; // of the input without pre-pass: Y and Co, Cg; half floats
-#endif
+// Half floats: Y and Co, Cg of the input where no pre-pass ran, and the distance to what is reflected, 0 = unknown.
+#define SAMPLE_NUM (HAS_CAP == 1 ? LOBE_NUM : 1) // occlusion has no colour
+shared uvec2 sSamples[SAMPLE_NUM][kHalo.y][kHalo.x];
+const int kSpecularSample = kSpecularChannel * HAS_CAP;
 
 const float kColorPlaneSensitivity = 0.02;
 const float kColorMinCosine = 0.9;
@@ -28,28 +28,30 @@ float trackingCandidate(ivec2 pixel)
     if (!hasData(pixel, true)) return 0.0;
     return sanitize(texelFetch(gIn_SpecularHitDist, inputTexel(pixel), 0), isValid).w;
 #elif HAS_SPECULAR
-    return kHasPrepass ? texelFetch(gIn_TrackNew, pixel, 0).x : sanitize(texelFetch(gIn_Specular, pixel, 0), isValid).w;
+    return texelFetch(gIn_TrackNew, pixel, 0).x;
 #else
     return 0.0;
 #endif
 }
 
-#if HAS_CAP
-uvec2 packColor(texture2D t, ivec2 pixel, bool isUsed)
+uvec2 packSample(vec4 value) { return uvec2(packHalf2x16(value.xy), packHalf2x16(value.zw)); }
+
+// What is out of range was not written.
+void loadSamples(ivec2 local, ivec2 pixel, bool isUsed)
 {
     bool isValid;
-    vec3 color = sanitize(texelFetch(t, pixel, 0), isValid).xyz;
-    return isUsed ? uvec2(packHalf2x16(color.xy), packHalf2x16(vec2(color.z, 0.0))) : uvec2(0);
-}
+#if HAS_DIFFUSE && HAS_CAP
+    vec4 diffuse = vec4(0.0);
+    if (!kHasPrepass) diffuse = sanitize(texelFetch(gIn_Diffuse, pixel, 0), isValid);
+    sSamples[0][local.y][local.x] = isUsed ? packSample(diffuse) : uvec2(0);
 #endif
-
-void loadColors(ivec2 local, ivec2 pixel, bool isUsed)
-{
-#if HAS_CAP && HAS_DIFFUSE
-    sColor[0][local.y][local.x] = packColor(gIn_Diffuse, pixel, isUsed);
-#endif
-#if HAS_CAP && HAS_SPECULAR
-    sColor[kSpecularChannel][local.y][local.x] = packColor(gIn_Specular, pixel, isUsed);
+#if HAS_SPECULAR
+    vec4 specular = vec4(0.0);
+    if (!kHasPrepass && !kIsBounded)
+        specular = sanitize(texelFetch(gIn_Specular, pixel, 0), isValid);
+    else
+        specular.w = trackingCandidate(pixel);
+    sSamples[kSpecularSample][local.y][local.x] = isUsed ? packSample(specular) : uvec2(0);
 #endif
 }
 
@@ -66,9 +68,7 @@ void loadNeighbourhood(ivec2 group)
         bool isUsed = isInRange(viewZ);
         vec3 N = decodeGuide(texelFetch(gIn_NormalRoughness, guideTexel(pixel), 0)).N;
         sNormalViewZ[local.y][local.x] = vec4(N, isUsed ? viewZ : 0.0);
-        float tracking = trackingCandidate(pixel);
-        sTracking[local.y][local.x] = isUsed ? tracking : 0.0; // what is out of range was not written
-        if (!kHasPrepass) loadColors(local, pixel, isUsed);
+        loadSamples(local, pixel, isUsed);
     }
 }
 
@@ -84,6 +84,22 @@ vec3 meanNormal()
                    neighbour(ivec2(0)).xyz);
 }
 
+const ivec2 kNextPixels[4] = ivec2[](ivec2(-1, 0), ivec2(1, 0), ivec2(0, -1), ivec2(0, 1));
+
+// One bit for each of the next pixels that shows the same surface.
+uint findLikeNeighbours(Surface s)
+{
+    uint bits = 0u;
+    [[unroll]] for (int i = 0; i < 4; i++)
+    {
+        vec4 other = neighbour(kNextPixels[i]);
+        bool isLike = other.w > 0.0 && abs(other.w - s.viewZ) * s.NoV < kColorPlaneSensitivity * s.frustumSize &&
+                      dot(other.xyz, s.guide.N) > kColorMinCosine;
+        bits |= isLike ? 1u << i : 0u;
+    }
+    return bits;
+}
+
 Surface makeSurface(ivec2 pixel)
 {
     Surface s;
@@ -97,6 +113,7 @@ Surface makeSurface(ivec2 pixel)
     s.guide = decodeGuide(texelFetch(gIn_NormalRoughness, guideTexel(pixel), 0));
     s.NoV = abs(dot(s.guide.N, s.V));
     s.meanN = meanNormal();
+    s.likeNeighbours = kHasPrepass || kIsBounded ? 0u : findLikeNeighbours(s);
     float share = 0.0;
     if (g.hasDisocclusionMix != 0u) share = textureLod(sampler2D(gIn_DisocclusionMix, gLinearClamp), s.uv, 0.0).x;
     if (kHasMaterialTest && s.guide.materialID == g.strandMaterialID)
@@ -177,22 +194,25 @@ vec2 readCap(ivec2 pixel)
 // the colour of its neighbourhood, in which brighter samples count for more. share: how much of that.
 Signal calmColor(Surface s, Signal signal, int channel, float share)
 {
-#if HAS_CAP
     vec3 sum = signal.value.xyz;
-    for (int i = 0; i < 4; i++)
+    [[unroll]] for (int i = 0; i < 4; i++)
     {
-        ivec2 offset = ivec2(i < 2 ? 2 * i - 1 : 0, i < 2 ? 0 : 2 * i - 5);
-        vec4 other = neighbour(offset);
-        ivec2 local = ivec2(gl_LocalInvocationID.xy) + 1 + offset;
-        uvec2 packed_ = sColor[channel][local.y][local.x];
-        bool isLike = other.w > 0.0 && abs(other.w - s.viewZ) * s.NoV < kColorPlaneSensitivity * s.frustumSize &&
-                      dot(other.xyz, s.guide.N) > kColorMinCosine;
-        if (isLike) sum += vec3(unpackHalf2x16(packed_.x), unpackHalf2x16(packed_.y).x);
+        ivec2 local = ivec2(gl_LocalInvocationID.xy) + 1 + kNextPixels[i];
+        uvec2 other = sSamples[channel * HAS_CAP][local.y][local.x];
+        float isLike = (s.likeNeighbours & (1u << i)) != 0u ? 1.0 : 0.0;
+        sum += isLike * vec3(unpackHalf2x16(other.x), unpackHalf2x16(other.y).x);
     }
     vec2 color = signal.value.x * sum.yz / max(sum.x, NRD_LUMA_EPS); // black has none
     signal.value.yz = mix(signal.value.yz, color, share);
-#endif
     return signal;
+}
+
+// Read alone: the rest of the sample would take registers long before it is needed. 0 = unknown.
+float readHitDist(texture2D t, ivec2 pixel)
+{
+    vec4 stored = texelFetch(t, pixel, 0);
+    bool isValid;
+    return kHasPrepass ? max(decodeValue(stored).w, 0.0) : sanitize(stored, isValid).w;
 }
 
 // The pre-pass has made sure that everything is finite.
@@ -201,7 +221,7 @@ Signal readAccumulated(texture2D t, texture2D second, Surface s, int channel, fl
     if (!kHasPrepass)
     {
         Signal signal = capLuma(readInput(t, second, s.pixel, isValid), readCap(s.pixel)[channel]);
-        return calmColor(s, signal, channel, calmShare);
+        return kIsBounded ? signal : calmColor(s, signal, channel, calmShare);
     }
     Signal signal = readSignal(t, second, s.pixel);
     isValid = kIsBounded || signal.value.w >= 0.0;

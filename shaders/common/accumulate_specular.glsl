@@ -14,7 +14,8 @@ float trackingDistance(Surface s)
     float nearest = 1e30;
     for (int i = 0; i < 9; i++)
     {
-        float candidate = sTracking[local.y + i / 3][local.x + i % 3];
+        uvec2 stored = sSamples[kSpecularSample][local.y + i / 3][local.x + i % 3];
+        float candidate = unpackHalf2x16(stored.y).y;
         nearest = candidate > 0.0 ? min(nearest, candidate) : nearest;
     }
     if (nearest == 1e30) return 0.0;
@@ -203,11 +204,8 @@ LobeResult accumulateSpecular(Surface s, SurfaceTrack surface)
 {
     LobeResult result;
     float hitDist = trackingDistance(s);
-    bool isValid;
-    // What a mirror shows has outlines that no guide knows of.
-    float calmShare = ramp(0.1, 0.3, s.guide.roughness);
-    Signal signal = readAccumulated(gIn_Specular, gIn_SpecularSh, s, kSpecularChannel, calmShare, isValid);
-    Reflection reflection = readReflection(s, isValid ? signal.value.w : 0.0, hitDist);
+    float normHitDist = readHitDist(gIn_Specular, s.pixel);
+    Reflection reflection = readReflection(s, normHitDist, hitDist);
     storeTrack(s.pixel, hitDist, reflection);
     float motion = saturate(length((surface.uv - s.uv) * g.rectSize) / 0.25);
     bool isFollowed = s.guide.roughness < kNoImageRoughness || isMoving(reflection);
@@ -215,7 +213,7 @@ LobeResult accumulateSpecular(Surface s, SurfaceTrack surface)
     if (isFollowed) image = trackVirtual(s, surface, hitDist, motionCurvature(s, surface), reflection);
     image.stillness *= vacancyConfidence(s, reflection, surface.footprint);
     image.confidence *= vacancyConfidence(s, reflection, image.footprint);
-    SpecularLengths lengths = measureLengths(s, surface, image, signal.value.w, motion);
+    SpecularLengths lengths = measureLengths(s, surface, image, normHitDist, motion);
 
     bool isAttached = kHasMaterialTest && s.guide.materialID == g.cameraAttachedMaterialID;
     float amount = virtualAmount(lengths.n.y, lengths.n.x) * (isAttached ? 1.0 : apparentMotion(image, motion));
@@ -228,6 +226,10 @@ LobeResult accumulateSpecular(Surface s, SurfaceTrack surface)
     result.n = mix(lengths.nFix.x, lengths.nFix.y, amount);
     History stored = readHistory(gIn_SpecularHistory, gIn_SpecularHistorySh, kSpecularChannel, read);
     Signal history = stored.signal;
+    bool isValid;
+    // What a mirror shows has outlines that no guide knows of.
+    float calmShare = ramp(0.1, 0.3, s.guide.roughness);
+    Signal signal = readAccumulated(gIn_Specular, gIn_SpecularSh, s, kSpecularChannel, calmShare, isValid);
     if (!isValid) signal = history;
     float share = dataShare(s.pixel, true, n);
     Signal mixed = mixHistory(history, signal, n, share, s.guide.roughness);

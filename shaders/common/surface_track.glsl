@@ -17,6 +17,7 @@ struct Surface
     vec3 V;
     float NoV;
     vec3 meanN; // of four neighbours, not normalised
+    uint likeNeighbours; // bits of those next to it that show the same
     Guide guide;
     float disocclusionThreshold; // fraction of the frustum's size
 };

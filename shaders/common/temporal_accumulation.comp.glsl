@@ -128,11 +128,11 @@ void main()
     if (!isInRange(s.viewZ)) return;
     SurfaceTrack surface = trackSurface(s, readMotion(gIn_Motion, gIn_ViewZ, pixel));
     LobeResult diffuse = LobeResult(0.0, 0.0, 0.0, 0.0, 0.0), specular = diffuse;
-#if HAS_DIFFUSE
-    diffuse = accumulateDiffuse(s, surface);
-#endif
 #if HAS_SPECULAR
     specular = accumulateSpecular(s, surface);
+#endif
+#if HAS_DIFFUSE
+    diffuse = accumulateDiffuse(s, surface);
 #endif
     vec4 fast = packScalars(diffuse.fast, specular.fast);
     if (kIsRelax) fast = packPairs(vec2(diffuse.fast, diffuse.noisy), vec2(specular.fast, specular.noisy));

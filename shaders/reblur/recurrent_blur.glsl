@@ -35,15 +35,15 @@ struct Sum
     float weight;
 };
 
-// Unrolled and without a branch, so that the reads of all taps are under way at once. Needs gIn_ViewZ and
-// gIn_NormalRoughness.
+// Four of the eight. Unrolled and without a branch, so that the reads of all taps are under way at once. Needs gIn_ViewZ
+// and gIn_NormalRoughness.
 void addTaps(inout Sum sum, Signal centre, texture2D t, texture2D second, Pixel p, Lobe lobe, bool isSpecular,
-             Kernel kernel, Weights w, float lumaTolerance, bool mayFold, bool isSettled)
+             Kernel kernel, Weights w, float lumaTolerance, bool mayFold, int first, float gaussian)
 {
-    [[unroll]] for (int i = 0; i < (isSettled ? 4 : 8); i++)
+    [[unroll]] for (int i = first; i < first + 4; i++)
     {
-        Tap tap = readTap(gIn_ViewZ, gIn_NormalRoughness, p, lobe, isSpecular, w, tapPosition(kernel, i),
-                          isSettled ? 1.0 : kTaps[i].z, mayFold);
+        Tap tap = readTap(gIn_ViewZ, gIn_NormalRoughness, p, lobe, isSpecular, w, tapPosition(kernel, i), gaussian,
+                          mayFold);
         Signal value = readSignal(t, second, tap.pixel);
         float weight = tap.weight * signalWeight(w, centre, value, lumaTolerance);
         sum.signal = addWeighted(sum.signal, value, weight);
@@ -76,18 +76,20 @@ Signal blurLobe(texture2D t, texture2D second, Pixel p, Lobe lobe, bool isSpecul
     float lumaTolerance = kLumaTolerance * narrowing;
     Sum sum = Sum(centre, 1.0);
     // Few kernels reach beyond the screen: the others need not ask it of every tap.
-    if (!isOnScreen(kernel))
-        addTaps(sum, centre, t, second, p, lobe, isSpecular, kernel, w, lumaTolerance, true, false);
-    else if (narrowing >= kSettled)
-        addTaps(sum, centre, t, second, p, lobe, isSpecular, kernel, w, lumaTolerance, false, false);
+    bool isInside = isOnScreen(kernel), isSettled = isInside && narrowing < kSettled;
+    Kernel outer = scaled(kernel, isSettled ? kSettledRadius : 1.0);
+    float gaussian = isSettled ? 1.0 : kTaps[0].z;
+    if (isInside)
+        addTaps(sum, centre, t, second, p, lobe, isSpecular, outer, w, lumaTolerance, false, 0, gaussian);
     else
-        addTaps(sum, centre, t, second, p, lobe, isSpecular, scaled(kernel, kSettledRadius), w, lumaTolerance, false,
-                true);
+        addTaps(sum, centre, t, second, p, lobe, isSpecular, outer, w, lumaTolerance, true, 0, gaussian);
+    if (!isSettled)
+        addTaps(sum, centre, t, second, p, lobe, isSpecular, kernel, w, lumaTolerance, true, 4, kTaps[4].z);
     // What nothing stabilises is calmed by pixels close by.
     if (kIsOcclusion)
     {
         Kernel near = scaled(kernel, kNearRadius / radius);
-        addTaps(sum, centre, t, second, p, lobe, isSpecular, near, w, lumaTolerance, true, true);
+        addTaps(sum, centre, t, second, p, lobe, isSpecular, near, w, lumaTolerance, true, 0, 1.0);
     }
     Signal result = scaled(sum.signal, 1.0 / sum.weight);
     if (!kIsBounded) result.value.w = centre.value.w;
