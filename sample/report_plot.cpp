@@ -25,6 +25,10 @@ constexpr Panel kPanels[] = {
     {"psnr", "PSNR, dB (higher is better)", &SignalMeasures::psnr, &Row::isOnPsnrFront},
 };
 
+// gnuplot's filled marks are every second one of its types from 5 on.
+constexpr size_t kFirstFilledMark = 5;
+constexpr size_t kMarkCount = 5;
+
 // What is drawn alike: a denoiser's points, the peer's of one device, the noisy input.
 struct Series
 {
@@ -104,8 +108,9 @@ std::string panelScript(std::span<const Row> rows, const Panel& panel)
     {
         const std::string name = std::string(panel.name) + std::to_string(i);
         data += dataBlock(name, all[i].rows, panel);
-        const std::string type = std::to_string(i + 1);
-        plot += ", \\\n     $" + name + " using 1:2 with points pt " + type + " lc " + type + " title " +
+        const std::string color = std::to_string(i + 1);
+        const std::string type = std::to_string(kFirstFilledMark + 2 * (i % kMarkCount));
+        plot += ", \\\n     $" + name + " using 1:2 with points pt " + type + " lc " + color + " title " +
                 quoted(all[i].title);
         plot += ", \\\n     $" + name + " using 1:2:3 with labels left offset 0.7,0.3 font \",8\" notitle";
     }

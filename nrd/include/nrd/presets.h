@@ -8,13 +8,14 @@ namespace nrd
 {
 enum class Quality : uint32_t
 {
-    FAST,     // passes that pay least for their time are left out
+    FAST,     // passes that pay least for their time are left out; more flicker
     BALANCED, // the defaults
-    BEST,     // a longer history and a wider filter: still pictures gain, changes of light are followed later
+    BEST,     // what lowers the error, measured over the recorded sequences, at any price in time and lag
     MAX_NUM
 };
 
-// MAX_NUM and beyond are taken for BALANCED.
+// FAST: no pre-pass, no temporal stabilisation and with it no antilag. BEST: longer histories, which follow changes of
+// light later. MAX_NUM is taken for BALANCED.
 inline ReblurSettings GetReblurSettings(Quality quality)
 {
     ReblurSettings settings;
@@ -23,10 +24,16 @@ inline ReblurSettings GetReblurSettings(Quality quality)
         settings.prePassMode = PrePassMode::OFF;
         settings.maxStabilizedFrameNum = 0;
     }
-    if (quality == Quality::BEST) settings.maxAccumulatedFrameNum = 63;
+    if (quality == Quality::BEST)
+    {
+        settings.maxAccumulatedFrameNum = 63;
+        settings.maxFastAccumulatedFrameNum = 10;
+    }
     return settings;
 }
 
+// FAST: no pre-pass, two iterations of the wavelet. BEST: the defaults, since neither longer histories nor more
+// iterations lower the error. MAX_NUM is taken for BALANCED.
 inline RelaxSettings GetRelaxSettings(Quality quality)
 {
     RelaxSettings settings;
@@ -35,19 +42,14 @@ inline RelaxSettings GetRelaxSettings(Quality quality)
         settings.prePassMode = PrePassMode::OFF;
         settings.atrousIterationNum = 2;
     }
-    if (quality == Quality::BEST)
-    {
-        settings.atrousIterationNum = 4;
-        settings.diffuseMaxAccumulatedFrameNum = settings.specularMaxAccumulatedFrameNum = 63;
-    }
     return settings;
 }
 
+// FAST: no temporal stabilisation. BEST: the defaults, as with RELAX. MAX_NUM is taken for BALANCED.
 inline SigmaSettings GetSigmaSettings(Quality quality)
 {
     SigmaSettings settings;
     if (quality == Quality::FAST) settings.maxStabilizedFrameNum = 0;
-    if (quality == Quality::BEST) settings.maxStabilizedFrameNum = 7;
     return settings;
 }
 } // namespace nrd
