@@ -49,9 +49,10 @@ const std::vector<PointRow>& rows()
         {Family::Relax, "5 iterations", kDefault, {{"atrousIterationNum", "5"}}},
         {Family::Relax, "history 63",   kDefault, {{"diffuseMaxAccumulatedFrameNum", "63"},
                                                    {"specularMaxAccumulatedFrameNum", "63"}}},
-        {Family::Sigma, "FAST",     Quality::FAST, {}},
-        {Family::Sigma, "BALANCED", kDefault,      {}},
-        {Family::Sigma, "BEST",     Quality::BEST, {}},
+        {Family::Sigma, "BALANCED",         kDefault, {}},
+        {Family::Sigma, "no stabilisation", kDefault, {{"maxStabilizedFrameNum", "0"}}},
+        {Family::Sigma, "stabilised 4",     kDefault, {{"maxStabilizedFrameNum", "4"}}},
+        {Family::Sigma, "stabilised 15",    kDefault, {{"maxStabilizedFrameNum", "15"}}},
         {Family::Reference, "default", kDefault, {}},
     };
     return table;
