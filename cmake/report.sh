@@ -30,15 +30,19 @@ mkdir -p "$out"
 # Pipelines are to be created cold: no driver may know them.
 export MESA_SHADER_CACHE_DISABLE=true __GL_SHADER_DISK_CACHE=0
 "$build/bin/nrd-bench" "${device[@]}" --json "$out/bench.json" "${bench_options[@]}" >"$out/bench.txt"
-"$build/bin/nrd-report" "${device[@]}" --out "$out" "${report_options[@]}" "${captures[@]%/capture.json}" >"$out/tables.md"
+"$build/bin/nrd-report" "${device[@]}" --out "$out" "${report_options[@]}" "${captures[@]%/capture.json}" \
+    >"$out/tables.md"
+commit=$(git describe --always --dirty 2>/dev/null || echo unknown)
+text_size() # of all objects
 {
-    echo "$(head -n 1 "$out/bench.txt"); $(date -u +%F), commit $(git describe --always --dirty 2>/dev/null || echo unknown)"
+    size "$(find "$build" -name "$1" -type f -print -quit)" | awk 'NR > 1 { sum += $1 } END { print sum " bytes of text" }'
+}
+{
+    echo "$(head -n 1 "$out/bench.txt"); $(date -u +%F), commit $commit"
     echo
     cat "$out/tables.md"
-    echo -e "\n## Size of the libraries\n\n\`\`\`"
-    size -t "$(find "$build" -name libnrd.a | head -n 1)" | tail -n 1 | awk '{print "libnrd.a: text " $1 ", data " $2}'
-    size "$(find "$build" -name 'libnrd.so.*.*.*' | head -n 1)" | tail -n 1 | awk '{print "libnrd.so: text " $1 ", data " $2}'
-    echo -e "\`\`\`\n\n## Benchmark\n\n\`\`\`"
+    echo -e "\n## Size of the library\n\nstatic: $(text_size libnrd.a), shared: $(text_size 'libnrd.so.*.*.*')"
+    echo -e "\n## Benchmark\n\n\`\`\`"
     cat "$out/bench.txt"
     echo '```'
 } >"$out/report.md"

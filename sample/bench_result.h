@@ -23,7 +23,7 @@ struct CpuResult
 {
     double emit = 0.0;     // median, us: SetCommonSettings() and GetComputeDispatches()
     double record = 0.0;   // median, us: NrdIntegration::Denoise(), which emits too, with timestamps on
-    double createMs = 0.0; // once: NrdIntegration::Create(), pipelines without a cache and pools
+    double createMs = 0.0; // once: NrdIntegration::Create() with default pipelines, without a cache
 };
 
 struct MemoryResult

@@ -42,6 +42,7 @@ Run::Run(const RunDesc& desc) : m_desc(desc)
     creation.resourceHeight = static_cast<uint16_t>(desc.size.height);
     creation.framesInFlight = kFramesInFlight;
     creation.isGpuTimingEnabled = true;
+    creation.createDefaultPipelines = true; // so that their time is Create()'s
     const nrd::DenoiserDesc denoiser{kIdentifier, desc.denoiser.denoiser};
     nrd::InstanceCreationDesc instance;
     instance.denoisers = &denoiser;
