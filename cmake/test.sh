@@ -22,12 +22,5 @@ options=(-DNRD_WERROR=ON)
 if [ ! -f "$build/build.ninja" ]; then cmake --preset ci -B "$build" "${options[@]}"; fi
 cmake --build "$build" -j "$jobs"
 
-# The recorded sequences, where the test data is: rendered once, in about a minute.
-data=$(sed -n 's/^NRD_TEST_DATA:PATH=//p' "$build/CMakeCache.txt")
-if [ -f "$data/peer/make-sequences.sh" ] && [ ! -f "$build/sequences/complete" ]; then
-    echo "Rendering the recorded sequences"
-    bash "$data/peer/make-sequences.sh" "$build/sequences"
-    touch "$build/sequences/complete"
-fi
-
+bash cmake/sequences.sh "$build"
 exec bash cmake/run_tests.sh "$build" "${tests[@]}"

@@ -16,9 +16,8 @@ add_library(nrd_bench STATIC
     bench_run.cpp
     bench_slots.cpp
     bench_traffic.cpp)
-target_link_libraries(nrd_bench PUBLIC nrd_replay nrd_engine nrd::integration
+target_link_libraries(nrd_bench PUBLIC nrd_replay nrd_program nrd_engine nrd::integration
     PRIVATE bench_shaders nlohmann_json::nlohmann_json CLI11::CLI11 nrd_warnings)
 
 add_executable(nrd-bench bench_main.cpp)
-target_compile_definitions(nrd-bench PRIVATE NRD_TEST_DATA="${NRD_TEST_DATA}")
 target_link_libraries(nrd-bench PRIVATE nrd_bench nrd_warnings)

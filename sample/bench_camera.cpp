@@ -103,7 +103,7 @@ nrd::CommonSettings commonSettingsOf(const Workload& workload, Extent size, uint
 
 ReplaySettings settingsOf(const Workload& workload, const ReplayDenoiser& denoiser, Extent size, uint32_t index)
 {
-    ReplaySettings settings;
+    ReplaySettings settings = presetSettings(workload.preset);
     settings.common = commonSettingsOf(workload, size, index);
     constexpr float kSun[3] = {BENCH_SUN_X, BENCH_SUN_Y, BENCH_SUN_Z};
     std::copy(std::begin(kSun), std::end(kSun), settings.sigma.lightDirection);

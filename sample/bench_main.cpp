@@ -3,23 +3,17 @@
 #include "bench_report.h"
 #include "bench_run.h"
 
-#include "capture.h"
-
-#include <fstream>
-#include <iostream>
+#include "program.h"
 
 namespace
 {
 using namespace sample;
 using namespace sample::bench;
 
-// The file given, else the recorded figures of the test data when they are there.
 std::vector<PeerRow> peerRows(const Options& options)
 {
-    if (!options.peer.empty()) return readPeer(options.peer);
-    const std::filesystem::path file = std::filesystem::path(NRD_TEST_DATA) / "peer" / "nrd-4.17.4-h200.json";
-    std::error_code error;
-    return std::filesystem::is_regular_file(file, error) ? readPeer(file) : std::vector<PeerRow>();
+    const std::filesystem::path file = peerFile(options.peer, "nrd-4.17.4-h200.json");
+    return file.empty() ? std::vector<PeerRow>() : readPeer(file);
 }
 
 std::unique_ptr<engine::Device> createDevice(const Options& options)
@@ -33,13 +27,6 @@ std::unique_ptr<engine::Device> createDevice(const Options& options)
     return std::make_unique<engine::Device>(desc);
 }
 
-// What would only fail after all the work fails before it.
-void prepareJson(const Options& options)
-{
-    if (!options.json.empty() && !std::ofstream(options.json, std::ios::app))
-        throw FileError(options.json + " cannot be written");
-}
-
 Result measure(const engine::Device& device, const ReplayDenoiser& denoiser, Extent size, const Options& options)
 {
     Run run({device, denoiser, size, options.workload});
@@ -50,7 +37,7 @@ Result measure(const engine::Device& device, const ReplayDenoiser& denoiser, Ext
 void bench(const Options& options)
 {
     const std::vector<PeerRow> peers = peerRows(options);
-    prepareJson(options);
+    prepareFile(options.json);
     const std::unique_ptr<engine::Device> device = createDevice(options);
     Report report;
     report.device = device->properties().deviceName;
@@ -75,29 +62,19 @@ void bench(const Options& options)
         throw engine::Error("the validation layers had " + std::to_string(messageCount) + " messages");
 }
 
-void run(int argumentCount, char** arguments)
+int run(int argumentCount, char** arguments)
 {
     const std::optional<Options> options = parseOptions(argumentCount, arguments);
-    if (!options) return;
-    if (!options->isDeviceListWanted) return bench(*options);
-    for (const std::string& line : engine::listDevices()) std::cout << line << '\n';
+    if (!options) return 0;
+    if (options->isDeviceListWanted)
+        for (const std::string& line : engine::listDevices()) std::cout << line << '\n';
+    else
+        bench(*options);
+    return 0;
 }
 } // namespace
 
 int main(int argumentCount, char** arguments)
 {
-    try
-    {
-        run(argumentCount, arguments);
-        return 0;
-    }
-    catch (const std::bad_alloc&)
-    {
-        std::cerr << "nrd-bench: out of memory\n";
-    }
-    catch (const std::exception& e)
-    {
-        std::cerr << "nrd-bench: " << e.what() << '\n';
-    }
-    return 1;
+    return runProgram("nrd-bench", [&] { return run(argumentCount, arguments); });
 }

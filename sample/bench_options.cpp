@@ -1,13 +1,11 @@
 #include "bench_options.h"
-
-#include <nrd/nrd.h>
+#include "name_choice.h"
+#include "program.h"
 
 #include <CLI/CLI.hpp>
 
-#include <algorithm>
 #include <charconv>
 #include <optional>
-#include <regex>
 
 namespace sample::bench
 {
@@ -17,16 +15,10 @@ struct Texts
 {
     std::string denoisers = ".*";
     std::string sizes = "1920x1080,2560x1440,3840x2160";
+    std::string preset = "BALANCED";
     std::vector<std::string> settings;
     float skyPercent = 2.0f;
 };
-
-std::string versionText()
-{
-    const nrd::LibraryDesc& library = nrd::GetLibraryDesc();
-    return "nrd-bench " + std::to_string(library.versionMajor) + "." + std::to_string(library.versionMinor) + "." +
-           std::to_string(library.versionBuild);
-}
 
 void declareOptions(CLI::App& app, Options& options, Texts& texts)
 {
@@ -34,6 +26,7 @@ void declareOptions(CLI::App& app, Options& options, Texts& texts)
     app.add_option("--sizes", texts.sizes, "WxH,...; " + texts.sizes);
     app.add_option("--json", options.json, "File for the JSON report");
     app.add_option("--peer", options.peer, "File with recorded figures, printed beside ours");
+    app.add_option("--preset", texts.preset, "FAST, BALANCED (the defaults) or BEST, before --set");
     app.add_option("--set", texts.settings, "key=value: any field of the common or the denoiser's settings")
         ->take_all();
     app.add_option("--frames", options.workload.frameCount, "Measured frames, after warm-up; 96")
@@ -45,7 +38,7 @@ void declareOptions(CLI::App& app, Options& options, Texts& texts)
     app.add_option("--device", options.device, "Number or part of the name of the device");
     app.add_flag("--list-devices", options.isDeviceListWanted, "List the Vulkan devices");
     app.add_flag("--validation", options.validation, "Turn the validation layers on; a message makes the run fail");
-    app.set_version_flag("--version", versionText(), "Print the version");
+    app.set_version_flag("--version", versionText("nrd-bench"), "Print the version");
 }
 
 // The number that fills `text`, or 0.
@@ -80,30 +73,6 @@ std::vector<Extent> parseSizes(const std::string& text)
     }
 }
 
-std::vector<const ReplayDenoiser*> selectDenoisers(const std::string& expression)
-{
-    std::regex regex;
-    try
-    {
-        regex.assign(expression);
-    }
-    catch (const std::regex_error&)
-    {
-        throw SettingError("--denoisers " + expression + ": expected a regular expression");
-    }
-    const nrd::LibraryDesc& library = nrd::GetLibraryDesc();
-    const nrd::Denoiser* last = library.supportedDenoisers + library.supportedDenoisersNum;
-    std::vector<const ReplayDenoiser*> selected;
-    for (const ReplayDenoiser& denoiser : replayDenoisers())
-    {
-        const bool isSupported = std::find(library.supportedDenoisers, last, denoiser.denoiser) != last;
-        if (isSupported && std::regex_match(denoiser.name, regex)) selected.push_back(&denoiser);
-    }
-    if (selected.empty())
-        throw SettingError("--denoisers " + expression + ": no denoiser of this build has such a name");
-    return selected;
-}
-
 std::optional<Options> parseOptions(int argumentCount, const char* const* arguments)
 {
     CLI::App app("Measures GPU time by pass against the bandwidth floor, CPU time and memory on generated input.");
@@ -123,6 +92,7 @@ std::optional<Options> parseOptions(int argumentCount, const char* const* argume
     options.denoisers = selectDenoisers(texts.denoisers);
     options.sizes = parseSizes(texts.sizes);
     options.workload.skyShare = texts.skyPercent * 0.01f;
+    options.workload.preset = parsePreset(texts.preset);
     for (const std::string& text : texts.settings) options.workload.settings.push_back(parseAssignment(text));
     return options;
 }

@@ -15,7 +15,8 @@ struct Extent
 // What is measured, whatever the denoiser and the size.
 struct Workload
 {
-    std::vector<Assignment> settings; // --set
+    nrd::Quality preset = nrd::Quality::BALANCED;
+    std::vector<Assignment> settings; // --set, on top of it
     uint32_t frameCount = 96;         // measured, after warm-up
     float skyShare = 0.02f;           // of the picture, [0; 0.25]
     bool isStatic = false;            // the camera stands still
@@ -36,10 +37,6 @@ struct Options
 
 // "1920x1080,64x36"; each side in [1; 65535]. Throws SettingError.
 std::vector<Extent> parseSizes(const std::string& text);
-
-// The library's denoisers whose whole name the expression matches. Throws SettingError when it is none, or matches
-// none.
-std::vector<const ReplayDenoiser*> selectDenoisers(const std::string& expression);
 
 // Throws SettingError. Nothing is returned when the command line asked for --help or --version, which are printed.
 std::optional<Options> parseOptions(int argumentCount, const char* const* arguments);

@@ -93,7 +93,9 @@ Json toJson(const Report& report, const Result& result)
                          {"transient", result.memory.transient / kMiB},
                          {"total", sum / kMiB}};
     json["bytesPerPixel"] = sum / pixelCount(result.size);
-    if (result.cpu) json["cpuUs"] = {{"emit", result.cpu->emit}, {"record", result.cpu->record}};
+    if (!result.cpu) return json;
+    json["cpuUs"] = {{"emit", result.cpu->emit}, {"record", result.cpu->record}};
+    json["createMs"] = result.cpu->createMs;
     return json;
 }
 
@@ -143,7 +145,8 @@ std::string formatResult(const Report& report, const Result& result, const PeerR
     text += "\n";
     if (result.gpu) text += formatGpu(report, *result.gpu, peer);
     if (result.cpu)
-        text += print("  %-28s emission %.1f us, recording %.1f us\n", "CPU", result.cpu->emit, result.cpu->record);
+        text += print("  %-28s emission %.1f us, recording %.1f us, creation %.1f ms\n", "CPU", result.cpu->emit,
+                      result.cpu->record, result.cpu->createMs);
     text += formatMemory("memory", result.memory.permanent / kMiB, result.memory.transient / kMiB, result.size);
     if (peer) text += formatMemory("memory of the peer", peer->permanent, peer->transient, result.size);
     return text;

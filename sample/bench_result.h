@@ -19,11 +19,11 @@ struct GpuResult
     std::vector<PassResult> passes;
 };
 
-// Medians, microseconds.
 struct CpuResult
 {
-    double emit = 0.0;   // SetCommonSettings() and GetComputeDispatches()
-    double record = 0.0; // NrdIntegration::Denoise(), which emits too, with timestamps on
+    double emit = 0.0;     // median, us: SetCommonSettings() and GetComputeDispatches()
+    double record = 0.0;   // median, us: NrdIntegration::Denoise(), which emits too, with timestamps on
+    double createMs = 0.0; // once: NrdIntegration::Create() with default pipelines, without a cache
 };
 
 struct MemoryResult

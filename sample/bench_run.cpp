@@ -42,11 +42,14 @@ Run::Run(const RunDesc& desc) : m_desc(desc)
     creation.resourceHeight = static_cast<uint16_t>(desc.size.height);
     creation.framesInFlight = kFramesInFlight;
     creation.isGpuTimingEnabled = true;
+    creation.createDefaultPipelines = true; // so that their time is Create()'s
     const nrd::DenoiserDesc denoiser{kIdentifier, desc.denoiser.denoiser};
     nrd::InstanceCreationDesc instance;
     instance.denoisers = &denoiser;
     instance.denoisersNum = 1;
+    const auto start = std::chrono::steady_clock::now();
     check(m_integration.Create(creation, instance), "create the denoiser");
+    m_createMs = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
     const auto set = [&](const auto& own) { return m_integration.SetDenoiserSettings(kIdentifier, own); };
     check(setDenoiserSettings(settings, desc.denoiser.family, set), "set the denoiser's settings");
 }
@@ -156,7 +159,7 @@ Result Run::measure()
     engine::FrameRing ring(m_desc.device, kFramesInFlight);
     const Times times = denoiseFrames(ring);
     Result result{m_desc.denoiser.name, m_desc.size, memory(), {}, {}, m_inputs->skyPercent(m_desc.device)};
-    result.cpu = CpuResult{emission.microseconds, timeRecording(ring)};
+    result.cpu = CpuResult{emission.microseconds, timeRecording(ring), m_createMs};
     if (times.totals.empty() || quantile(times.totals, 0.5) == 0.0) return result; // a device without timestamps
     result.gpu = GpuResult{quantile(times.totals, 0.5), quantile(times.totals, 0.1), quantile(times.totals, 0.9), {}};
     for (const PassTraffic& pass : emission.passes)

@@ -44,6 +44,7 @@ private:
     double timeRecording(engine::FrameRing& ring);
 
     const RunDesc m_desc;
+    double m_createMs = 0.0;
     uint32_t m_index = 0; // of the next frame
     uint64_t m_collectedFrame = 0;
     std::vector<BenchSlot> m_slots;

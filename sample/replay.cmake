@@ -19,8 +19,13 @@ add_library(nrd_measures STATIC
 target_include_directories(nrd_measures PUBLIC "${CMAKE_CURRENT_SOURCE_DIR}/measures")
 target_link_libraries(nrd_measures PUBLIC nrd_capture PRIVATE Threads::Threads nrd_warnings)
 
+# What programs share round their work.
+add_library(nrd_program STATIC program.cpp)
+target_compile_definitions(nrd_program PRIVATE NRD_TEST_DATA="${NRD_TEST_DATA}")
+target_link_libraries(nrd_program PUBLIC nrd_capture nrd::nrd PRIVATE nrd_warnings)
+
 # The denoisers by name and --set, of all programs.
-add_library(nrd_settings STATIC replay_denoisers.cpp replay_settings.cpp)
+add_library(nrd_settings STATIC name_choice.cpp replay_denoisers.cpp replay_settings.cpp)
 target_link_libraries(nrd_settings PUBLIC nrd_measures nrd::nrd PRIVATE nrd_warnings)
 
 # What the replay tool is made of but for Vulkan, for its tests too.
@@ -38,9 +43,9 @@ nrd_add_shader(ReplayUnpack shaders/replay_unpack.comp.glsl)
 nrd_end_shader_library()
 
 # And what needs Vulkan.
-add_library(nrd_replay_gpu STATIC replay_doctor.cpp replay_gpu.cpp replay_packing.cpp replay_slots.cpp)
+add_library(nrd_replay_gpu STATIC replay_doctor.cpp replay_gpu.cpp replay_packing.cpp replay_run.cpp
+    replay_slots.cpp)
 target_link_libraries(nrd_replay_gpu PUBLIC nrd_replay nrd_engine nrd::integration PRIVATE replay_shaders nrd_warnings)
 
 add_executable(nrd-replay replay_main.cpp)
-target_compile_definitions(nrd-replay PRIVATE NRD_TEST_DATA="${NRD_TEST_DATA}")
-target_link_libraries(nrd-replay PRIVATE nrd_replay_gpu CLI11::CLI11 nrd_warnings)
+target_link_libraries(nrd-replay PRIVATE nrd_replay_gpu nrd_program CLI11::CLI11 nrd_warnings)

@@ -10,9 +10,8 @@ void copyMatrix(const Matrix& source, float (&target)[16])
 }
 } // namespace
 
-nrd::SigmaSettings sigmaSettingsOf(const CaptureLight* light)
+nrd::SigmaSettings sigmaSettingsOf(const CaptureLight* light, nrd::SigmaSettings settings)
 {
-    nrd::SigmaSettings settings;
     if (!light) return settings;
     settings.isLightLocal = light->isLocal;
     for (size_t i = 0; i < 3; i++)

@@ -12,8 +12,8 @@ nrd::CommonSettings commonSettingsOf(const CaptureInfo& info, size_t frameIndex)
 // The capture's A, B and C; A is in world units there, in metres here.
 nrd::HitDistanceParameters hitDistanceParametersOf(const CaptureInfo& info);
 
-// Where the frame's light is, as SIGMA wants to know it; unknown without a light.
-nrd::SigmaSettings sigmaSettingsOf(const CaptureLight* light);
+// `settings` with where the frame's light is, as SIGMA wants to know it; unknown without a light.
+nrd::SigmaSettings sigmaSettingsOf(const CaptureLight* light, nrd::SigmaSettings settings = {});
 
 // World position of the camera of a rigid world-to-view matrix.
 std::array<double, 3> cameraPositionOf(const Matrix& worldToView);

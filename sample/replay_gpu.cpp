@@ -205,11 +205,11 @@ void ReplayGpu::setState(engine::Image& image, const nrd::NrdUserImage& user)
 
 ReplaySettings ReplayGpu::settingsOfFrame() const
 {
-    ReplaySettings settings;
+    ReplaySettings settings = presetSettings(m_desc.preset);
     settings.common = commonSettingsOf(m_info, m_frameIndex);
     settings.common.isSpecularMotionAvailable = m_desc.capture.has(Channel::SpecularMX);
     settings.reblur.hitDistanceParameters = hitDistanceParametersOf(m_info);
-    settings.sigma = sigmaSettingsOf(m_desc.capture.light(m_frameIndex));
+    settings.sigma = sigmaSettingsOf(m_desc.capture.light(m_frameIndex), settings.sigma);
     applySettings(settings, m_denoiser.family, m_desc.settings);
     return settings;
 }

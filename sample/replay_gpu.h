@@ -28,9 +28,10 @@ struct ReplayGpuDesc
 {
     const Capture& capture;
     const ReplayDenoiser& denoiser;   // not NONE
-    std::vector<Assignment> settings; // on top of what the capture says
+    std::vector<Assignment> settings; // on top of the preset and what the capture says
     std::string device;               // as engine::DeviceDesc::device
     bool validation = false;
+    nrd::Quality preset = nrd::Quality::BALANCED;
     ShResolve resolve = ShResolve::Restore;
     float confidence = 1.0f;      // [0; 1], of every pixel where the settings ask for it
     float disocclusionMix = 0.0f; // [0; 1], likewise

@@ -1,21 +1,16 @@
 // nrd-replay: denoises a recorded capture and says how far the result is from its references.
+#include "program.h"
 #include "replay_doctor.h"
-#include "replay_gpu.h"
-#include "replay_output.h"
+#include "replay_run.h"
 
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
-#include <cstdio>
-#include <fstream>
 #include <iostream>
-#include <unistd.h>
 
 namespace
 {
 using namespace sample;
-
-constexpr size_t kFirstTimedFrame = 8; // warm-up before it
 
 struct Options
 {
@@ -25,6 +20,7 @@ struct Options
     std::string report;
     std::string peer;
     std::string device;
+    std::string preset = "BALANCED";
     std::vector<std::string> settings;
     std::vector<std::string> summary;
     std::string resolve = "restore";
@@ -37,13 +33,6 @@ struct Options
     bool isDoctorWanted = false;
 };
 
-std::string versionText()
-{
-    const nrd::LibraryDesc& library = nrd::GetLibraryDesc();
-    return "nrd-replay " + std::to_string(library.versionMajor) + "." + std::to_string(library.versionMinor) + "." +
-           std::to_string(library.versionBuild);
-}
-
 void declareOptions(CLI::App& app, Options& options)
 {
     app.add_option("capture", options.capture, "Folder of the capture");
@@ -53,6 +42,7 @@ void declareOptions(CLI::App& app, Options& options)
                    "Folder for denoised_NNNN.exr and PNGs of the composed pictures; of several, one in it each");
     app.add_option("--report", options.report, "File for the JSON report; of several, one each: NAME is put in");
     app.add_option("--peer", options.peer, "File with recorded figures, printed beside ours");
+    app.add_option("--preset", options.preset, "FAST, BALANCED (the defaults) or BEST, before --set");
     app.add_option("--set", options.settings, "key=value: any field of the common or the denoiser's settings")
         ->take_all();
     app.add_option("--resolve", options.resolve, "SH: the kind of the resolve: restore (default), sg or sh; or none")
@@ -72,31 +62,13 @@ void declareOptions(CLI::App& app, Options& options)
     app.add_option("--device", options.device, "Number or part of the name of the device");
     app.add_flag("--list-devices", options.isDeviceListWanted, "List the Vulkan devices");
     app.add_flag("--validation", options.validation, "Turn the validation layers on; a message makes the run fail");
-    app.set_version_flag("--version", versionText(), "Print the version");
-}
-
-// The file given, else the recorded sequences of the test data when they are there; empty: none.
-std::filesystem::path peerFile(const Options& options)
-{
-    if (!options.peer.empty()) return options.peer;
-    const std::filesystem::path file = std::filesystem::path(NRD_TEST_DATA) / "peer" / "nrd-4.17.4-sequences.json";
-    std::error_code error;
-    return std::filesystem::is_regular_file(file, error) ? file : std::filesystem::path();
+    app.set_version_flag("--version", versionText("nrd-replay"), "Print the version");
 }
 
 std::optional<PeerFigures> peerOf(const Options& options, const ReplayReport& report)
 {
-    const std::filesystem::path file = peerFile(options);
+    const std::filesystem::path file = peerFile(options.peer, "nrd-4.17.4-sequences.json");
     return file.empty() ? std::nullopt : readPeer(file, report.capture, report.denoiser);
-}
-
-void showProgress(size_t done, size_t total)
-{
-    const bool isTerminal = isatty(STDERR_FILENO) != 0;
-    if (isTerminal)
-        std::fprintf(stderr, "\r%zu of %zu frames%s", done, total, done == total ? "\n" : "");
-    else if (done % 16 == 0 || done == total)
-        std::fprintf(stderr, "%zu of %zu frames\n", done, total);
 }
 
 const ReplayDenoiser& denoiserNamed(const std::string& name)
@@ -146,13 +118,14 @@ ShResolve chosenResolve(const Options& options)
 ReplayGpuDesc gpuDesc(const Options& options, const Capture& capture, const ReplayDenoiser& denoiser)
 {
     ReplayGpuDesc desc{capture, denoiser, {}, options.device, options.validation};
+    desc.preset = parsePreset(options.preset);
     for (const std::string& text : options.settings) desc.settings.push_back(parseAssignment(text));
     desc.resolve = chosenResolve(options);
     desc.confidence = options.confidence.value_or(desc.confidence);
     desc.disocclusionMix = options.disocclusionMix.value_or(desc.disocclusionMix);
     desc.isOverlayWanted = !options.out.empty();
     ReplaySettings settings;
-    applySettings(settings, denoiser.family, desc.settings);
+    if (denoiser.family != Family::None) applySettings(settings, denoiser.family, desc.settings);
     if (options.confidence && !settings.common.isHistoryConfidenceAvailable)
         throw SettingError("--confidence needs --set isHistoryConfidenceAvailable=true");
     if (options.disocclusionMix && !settings.common.isDisocclusionThresholdMixAvailable)
@@ -160,107 +133,19 @@ ReplayGpuDesc gpuDesc(const Options& options, const Capture& capture, const Repl
     return desc;
 }
 
-class Replay
+// One denoiser's part of a run over several.
+struct Part
 {
-public:
-    Replay(Options options, const Capture& capture, const ReplayDenoiser& denoiser)
-        : m_options(std::move(options)), m_capture(capture), m_measurer(capture.info(), signalSetOf(denoiser))
-    {
-        m_report.capture = capture.info().name;
-        m_report.denoiser = denoiser.name;
-        m_report.width = capture.info().width;
-        m_report.height = capture.info().height;
-        if (denoiser.family == Family::None)
-        {
-            if (!m_options.settings.empty()) throw SettingError("--set needs a denoiser, not NONE");
-            return;
-        }
-        const ReplayGpuDesc desc = gpuDesc(m_options, capture, denoiser);
-        m_report.settings = desc.settings;
-        m_gpu = std::make_unique<ReplayGpu>(desc);
-        m_report.device = m_gpu->deviceName();
-    }
-
-    const ReplayReport& report() const { return m_report; }
-    const Options& options() const { return m_options; }
-
-    // Everything but the validation layers' verdict is in the report.
-    const ReplayReport& run()
-    {
-        const size_t all = m_capture.info().frames.size();
-        const size_t count = m_options.frameCount ? std::min(m_options.frameCount, all) : all;
-        for (size_t i = 0; i < count; i++)
-        {
-            replayFrame(i);
-            showProgress(i + 1, count);
-        }
-        m_report.frames = m_measurer.frames();
-        m_report.noisy = m_measurer.meanNoisy();
-        m_report.denoised = m_measurer.meanDenoised();
-        m_report.extracted = m_measurer.meanExtracted();
-        if (m_gpu)
-        {
-            m_gpu->reportTimes(m_report, kFirstTimedFrame);
-            m_report.memory = m_gpu->memory();
-        }
-        return m_report;
-    }
-
-    uint32_t validationMessageCount() const { return m_gpu ? m_gpu->validationMessageCount() : 0; }
-
-private:
-    void replayFrame(size_t index)
-    {
-        const bool hasReference = !m_capture.info().frames[index].reference.empty();
-        const bool isWritten = !m_options.out.empty();
-        if (!m_gpu && !hasReference) return;
-        const Planes frame = m_capture.readFrame(index);
-        ReplayedFrame result;
-        if (m_gpu) result = m_gpu->denoise(frame, hasReference || isWritten);
-        Signals& denoised = result.signals;
-        m_report.nonFiniteCount += countNonFinite(denoised);
-        if (hasReference)
-        {
-            const bool isExtracted = result.extracted.has(Signal::Diffuse) || result.extracted.has(Signal::Specular);
-            m_measurer.add(index, frame, m_capture.readReference(index), m_gpu ? &denoised : nullptr,
-                           isExtracted ? &result.extracted : nullptr);
-            denoised[Signal::Composed] = m_measurer.pictures().denoised;
-        }
-        else
-            compose(denoised, frame, {});
-        if (!isWritten) return;
-        write(index, denoised, hasReference);
-        if (result.overlay.exists()) writeOverlayPng(m_options.out, index, result.overlay, denoised[Signal::Composed]);
-    }
-
-    void write(size_t index, const Signals& denoised, bool hasReference) const
-    {
-        const std::filesystem::path folder = m_options.out;
-        writeDenoisedExr(folder, index, denoised);
-        writeComposedPng(folder, "denoised", index, denoised[Signal::Composed]);
-        if (!hasReference) return;
-        writeComposedPng(folder, "noisy", index, m_measurer.pictures().noisy);
-        writeComposedPng(folder, "reference", index, m_measurer.pictures().reference);
-    }
-
-    const Options m_options;
-    const Capture& m_capture;
-    SequenceMeasurer m_measurer;
-    ReplayReport m_report;
-    std::unique_ptr<ReplayGpu> m_gpu; // null: NONE
+    Options options;
+    ReplayRun run;
 };
 
-// What would only fail after all the work fails before it.
-void prepareOutputs(const Options& options)
+Part makePart(Options options, const Capture& capture, const ReplayDenoiser& denoiser)
 {
-    if (!options.out.empty())
-    {
-        std::error_code error;
-        std::filesystem::create_directories(options.out, error);
-        if (error) throw FileError(options.out + " cannot be created: " + error.message());
-    }
-    if (!options.report.empty() && !std::ofstream(options.report, std::ios::app))
-        throw FileError(options.report + " cannot be written");
+    if (!options.out.empty()) prepareFolder(options.out);
+    prepareFile(options.report);
+    const ReplayRunDesc desc{gpuDesc(options, capture, denoiser), options.out, options.frameCount};
+    return {std::move(options), ReplayRun(desc)};
 }
 
 int replay(const Options& options)
@@ -268,24 +153,20 @@ int replay(const Options& options)
     if (options.capture.empty()) throw SettingError("no capture is given; expected the folder of one");
     const std::vector<const ReplayDenoiser*> denoisers = chosenDenoisers(options);
     const Capture capture = Capture::open(options.capture);
-    std::vector<std::unique_ptr<Replay>> replays;
+    std::vector<std::unique_ptr<Part>> parts;
     for (const ReplayDenoiser* denoiser : denoisers)
-    {
-        const Options own = optionsOf(options, *denoiser, denoisers.size() == 1);
-        prepareOutputs(own);
-        replays.push_back(std::make_unique<Replay>(own, capture, *denoiser));
-    }
+        parts.push_back(
+            std::make_unique<Part>(makePart(optionsOf(options, *denoiser, denoisers.size() == 1), capture, *denoiser)));
     std::vector<ReplayReport> reports;
     std::vector<std::optional<PeerFigures>> peers;
-    for (std::unique_ptr<Replay>& replay : replays)
+    for (std::unique_ptr<Part>& part : parts)
     {
-        peers.push_back(peerOf(options, replay->report()));
-        reports.push_back(replay->run());
-        if (!replay->options().report.empty()) writeReport(replay->options().report, reports.back());
+        peers.push_back(peerOf(options, part->run.report()));
+        reports.push_back(part->run.run(showProgress));
+        if (!part->options.report.empty()) writeReport(part->options.report, reports.back());
         std::cout << formatReport(reports.back(), peers.back());
-        if (const uint32_t messageCount = replay->validationMessageCount())
-            throw engine::Error("the validation layers had " + std::to_string(messageCount) + " messages");
-        replay.reset();
+        part->run.checkValidation();
+        part.reset();
     }
     if (reports.size() > 1) std::cout << '\n' << formatSummary(reports, peers);
     return 0;
@@ -324,23 +205,18 @@ int main(int argumentCount, char** arguments)
     CLI::App app("Denoises a recorded capture and measures the result against its references.");
     Options options;
     declareOptions(app, options);
-    try
+    const auto parseAndRun = [&]
     {
-        app.parse(argumentCount, arguments);
+        try
+        {
+            app.parse(argumentCount, arguments);
+        }
+        catch (const CLI::ParseError& e)
+        {
+            if (e.get_exit_code() == 0) return app.exit(e); // --help, --version
+            throw;
+        }
         return run(options);
-    }
-    catch (const CLI::ParseError& e)
-    {
-        if (e.get_exit_code() == 0) return app.exit(e); // --help, --version
-        std::cerr << "nrd-replay: " << e.what() << '\n';
-    }
-    catch (const std::bad_alloc&)
-    {
-        std::cerr << "nrd-replay: out of memory\n";
-    }
-    catch (const std::exception& e)
-    {
-        std::cerr << "nrd-replay: " << e.what() << '\n';
-    }
-    return 1;
+    };
+    return runProgram("nrd-replay", parseAndRun);
 }

@@ -59,6 +59,7 @@ Json toJson(const ReplayReport& report)
     Json json = {{"capture", report.capture}, {"denoiser", report.denoiser}};
     if (!report.device.empty()) json["device"] = report.device;
     json["resolution"] = {report.width, report.height};
+    if (!report.device.empty()) json["preset"] = nameOf(report.preset);
     json["settings"] = Json::object();
     for (const auto& [key, value] : report.settings) json["settings"][key] = value;
     if (report.gpuMs) json["gpuMs"] = gpuJson(report);
@@ -108,8 +109,10 @@ std::optional<PeerFigures> readPeer(const std::filesystem::path& file, const std
         for (const Json& row : rows)
         {
             if (row.at("capture") != capture || row.at("denoiser") != denoiser) continue;
-            PeerFigures figures{fromJson(row.at("mean").at("noisy")), fromJson(row.at("mean").at("denoised")), {}};
-            if (row.contains("gpuMs")) figures.gpuMs = row.at("gpuMs").at("total").get<double>();
+            PeerFigures figures{fromJson(row.at("mean").at("noisy")), fromJson(row.at("mean").at("denoised")), {}, {}};
+            if (!row.contains("gpuMs")) return figures;
+            figures.gpuMs = row.at("gpuMs").at("total").get<double>();
+            figures.device = row.at("gpuMs").value("device", "unknown device");
             return figures;
         }
         return std::nullopt;

@@ -1,5 +1,6 @@
 // The JSON report of a replay, the printed tables, and the recorded figures of the peer beside them.
 #pragma once
+#include "replay_settings.h"
 #include "sequence.h"
 
 #include <filesystem>
@@ -22,7 +23,8 @@ struct ReplayReport
     std::string device; // empty without a denoiser
     int width = 0;
     int height = 0;
-    std::vector<std::pair<std::string, std::string>> settings; // what --set changed
+    nrd::Quality preset = nrd::Quality::BALANCED;
+    std::vector<Assignment> settings; // what --set changed on top of it
     std::optional<double> gpuMs;                               // median of the frames' totals
     std::vector<PassReport> passes;                            // medians
     struct Memory
@@ -43,6 +45,7 @@ struct PeerFigures
     FrameMeasures noisy;
     FrameMeasures denoised;
     std::optional<double> gpuMs;
+    std::string device; // that it was timed on
 };
 
 // The recorded row of a capture and denoiser in a file of the shape of nrd-*-sequences.json; without one, nothing.

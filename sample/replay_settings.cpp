@@ -31,6 +31,11 @@ template <> struct ModeNames<nrd::HitDistanceReconstructionMode>
     static constexpr const char* names[] = {"OFF", "AREA_3X3", "AREA_5X5"};
 };
 
+template <> struct ModeNames<nrd::Quality>
+{
+    static constexpr const char* names[] = {"FAST", "BALANCED", "BEST"};
+};
+
 std::vector<SettingField> commonFields(nrd::CommonSettings& s)
 {
     return {
@@ -278,6 +283,25 @@ std::vector<SettingField> settingFields(ReplaySettings& settings, Family family)
     fields.insert(fields.end(), std::make_move_iterator(own.begin()), std::make_move_iterator(own.end()));
     return fields;
 }
+
+ReplaySettings presetSettings(nrd::Quality preset)
+{
+    ReplaySettings settings;
+    settings.reblur = nrd::GetReblurSettings(preset);
+    settings.relax = nrd::GetRelaxSettings(preset);
+    settings.sigma = nrd::GetSigmaSettings(preset);
+    return settings;
+}
+
+nrd::Quality parsePreset(const std::string& text)
+{
+    nrd::Quality preset = nrd::Quality::BALANCED;
+    if (const char* expected = parseValue(text, preset))
+        throw SettingError("--preset " + text + ": expected " + expected);
+    return preset;
+}
+
+const char* nameOf(nrd::Quality preset) { return ModeNames<nrd::Quality>::names[static_cast<size_t>(preset)]; }
 
 Assignment parseAssignment(const std::string& text)
 {

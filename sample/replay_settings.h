@@ -1,8 +1,8 @@
-// --set key=value: every field of CommonSettings and of the families' settings by name.
+// --preset and --set key=value: every field of CommonSettings and of the families' settings by name.
 #pragma once
 #include "replay_denoisers.h"
 
-#include <nrd/settings.h>
+#include <nrd/presets.h>
 
 #include <stdexcept>
 #include <string>
@@ -63,6 +63,14 @@ struct SettingField
 
 // The fields --set reaches for a family: the common ones, then the family's own.
 std::vector<SettingField> settingFields(ReplaySettings& settings, Family family);
+
+// The families' settings at a preset; the common ones know none.
+ReplaySettings presetSettings(nrd::Quality preset);
+
+// FAST, BALANCED or BEST. Throws SettingError.
+nrd::Quality parsePreset(const std::string& text);
+
+const char* nameOf(nrd::Quality preset);
 
 // "key=value" as given on the command line.
 using Assignment = std::pair<std::string, std::string>;

@@ -4,6 +4,7 @@
 
 #include "bench_camera.h"
 #include "bench_report.h"
+#include "name_choice.h"
 #include "bench_slots.h"
 #include "bench_statistics.h"
 #include "bench_traffic.h"

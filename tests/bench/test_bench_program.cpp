@@ -50,6 +50,7 @@ void checkRow(const nlohmann::json& row)
     CHECK(row["memoryMiB"]["total"].get<double>() ==
           Approx(row["memoryMiB"]["permanent"].get<double>() + row["memoryMiB"]["transient"].get<double>()));
     CHECK(row["cpuUs"]["emit"].get<double>() > 0.0);
+    CHECK(row["createMs"].get<double>() > 0.0);
     CHECK(row["cpuUs"]["record"].get<double>() > row["cpuUs"]["emit"].get<double>());
     CHECK(row["copyGBPerSecond"].get<double>() > 0.0);
     CHECK(row["gpuMs"]["p10"].get<double>() <= row["gpuMs"]["total"].get<double>());

@@ -109,3 +109,27 @@ TEST_CASE("every family is given its own settings", "[unit]")
     CHECK(checkerboardModeOf(settings, Family::Sigma) == nrd::CheckerboardMode::BLACK);
     CHECK(checkerboardModeOf(settings, Family::Reference) == nrd::CheckerboardMode::OFF);
 }
+
+TEST_CASE("BALANCED is the defaults, and no other preset is", "[unit]")
+{
+    const auto isEqual = [](const SettingField& a, const SettingField& b)
+    {
+        const auto compare = [&](auto* values)
+        { return std::equal(values, values + a.count, std::get<decltype(values)>(b.target)); };
+        return std::visit(compare, a.target);
+    };
+    ReplaySettings defaults;
+    for (const char* name : {"FAST", "BALANCED", "BEST"})
+    {
+        INFO(name);
+        ReplaySettings settings = presetSettings(parsePreset(name));
+        size_t differenceCount = 0;
+        for (Family family : {Family::Reblur, Family::Relax, Family::Sigma, Family::Reference})
+        {
+            const std::vector<SettingField> a = settingFields(settings, family), b = settingFields(defaults, family);
+            for (size_t i = 0; i < a.size(); i++) differenceCount += !isEqual(a[i], b[i]);
+        }
+        CHECK((differenceCount == 0) == (parsePreset(name) == nrd::Quality::BALANCED));
+    }
+    CHECK_THROWS_AS(parsePreset("best"), SettingError);
+}

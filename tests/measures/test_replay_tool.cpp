@@ -258,6 +258,26 @@ TEST_CASE("confidence and threshold mix reach the denoiser as constants", "[gpu]
     CHECK(std::abs(psnrOf(flags + " --confidence 0 --disocclusion-mix 1") - plain) > 1.0);
 }
 
+TEST_CASE("a preset comes before --set", "[gpu]")
+{
+    Folder folder;
+    const std::string capture = makeCapture(folder.path / "capture", {.isNoisy = true}).string();
+    const std::string report = (folder.path / "report.json").string();
+    const auto reportOf = [&](const std::string& arguments)
+    {
+        const Outcome outcome = run(capture + " --denoiser RELAX_DIFFUSE --validation --report " + report + arguments);
+        INFO(outcome.text);
+        REQUIRE(outcome.exitCode == 0);
+        return nlohmann::json::parse(std::ifstream(report));
+    };
+    const nlohmann::json plain = reportOf(""), fast = reportOf(" --preset FAST"),
+                         longer = reportOf(" --preset FAST --set atrousIterationNum=5");
+    CHECK(plain["preset"] == "BALANCED");
+    CHECK(fast["preset"] == "FAST");
+    CHECK(fast["mean"]["denoised"] != plain["mean"]["denoised"]);
+    CHECK(longer["mean"]["denoised"] != fast["mean"]["denoised"]);
+}
+
 TEST_CASE("the validation overlay comes out as pictures", "[gpu]")
 {
     Folder folder;
@@ -345,6 +365,7 @@ TEST_CASE("bad input ends in one sentence and exit code 1", "[gpu]")
         {capture + " --denoiser REBLUR_DIFFUSE --disocclusion-mix 0.5", "isDisocclusionThresholdMixAvailable"},
         {capture + " --denoiser REBLUR_DIFFUSE --confidence 2", "--confidence"},
         {capture + " --denoiser REBLUR_SPECULAR_SH --resolve best", "--resolve"},
+        {capture + " --denoiser REBLUR_DIFFUSE --preset GOOD", "FAST BALANCED BEST"},
         {capture + " --denoiser NONE --peer /none.json", "/none.json"},
         {capture + " --denoiser NONE --frames 0", "--frames"},
         {capture + "-none --denoiser NONE", "capture-none"},

@@ -1,0 +1,104 @@
+#include "report_run.h"
+#include "name_choice.h"
+#include "program.h"
+#include "replay_run.h"
+#include "report_front.h"
+
+#include <algorithm>
+#include <iostream>
+#include <map>
+
+namespace sample::report
+{
+namespace
+{
+std::vector<Point> chosenPoints(const Options& options, Family family)
+{
+    const std::regex names = parseNames("--points", options.pointNames);
+    std::vector<Point> points = pointsOf(family);
+    std::erase_if(points, [&](const Point& point) { return !std::regex_match(point.name, names); });
+    for (const Point& point : options.points)
+        if (hasSettings(family, point)) points.push_back(point);
+    return points;
+}
+
+std::map<std::string, std::vector<const ReplayDenoiser*>> groupsOf(const Options& options, const Capture& capture)
+{
+    std::map<std::string, std::vector<const ReplayDenoiser*>> groups;
+    for (const ReplayDenoiser* denoiser : options.denoisers)
+        if (fits(capture, *denoiser)) groups[groupOf(*denoiser)].push_back(denoiser);
+    return groups;
+}
+
+// One group of one capture.
+class Group
+{
+public:
+    Group(const Options& options, const Capture& capture, std::string name)
+        : m_options(options), m_capture(capture), m_name(std::move(name))
+    {
+    }
+
+    void add(const ReplayDenoiser& denoiser)
+    {
+        std::optional<ReplayReport> last;
+        for (const Point& point : chosenPoints(m_options, denoiser.family))
+        {
+            last = replay(denoiser, point);
+            if (m_rows.empty()) m_rows.push_back(rowOf(*last, m_name, "noisy input", RowKind::Noisy));
+            m_rows.push_back(rowOf(*last, m_name, point.name));
+        }
+        if (last) addPeer(*last);
+    }
+
+    std::vector<Row> take() { return std::move(m_rows); }
+
+private:
+    ReplayReport replay(const ReplayDenoiser& denoiser, const Point& point) const
+    {
+        std::cerr << m_capture.info().name << ", " << denoiser.name << ", " << point.name << '\n';
+        ReplayGpuDesc desc{m_capture, denoiser, point.settings, m_options.device, m_options.validation};
+        desc.preset = point.preset;
+        ReplayRun run({desc, "", m_options.frameCount});
+        ReplayReport report = run.run(showProgress);
+        run.checkValidation();
+        if (report.frames.empty())
+            throw FileError(m_capture.info().name + " has no reference in the frames that are replayed");
+        return report;
+    }
+
+    void addPeer(const ReplayReport& report)
+    {
+        if (m_options.peer.empty()) return;
+        if (const std::optional<PeerFigures> peer = readPeer(m_options.peer, report.capture, report.denoiser))
+            m_rows.push_back(rowOf(*peer, report, m_name));
+    }
+
+    const Options& m_options;
+    const Capture& m_capture;
+    const std::string m_name;
+    std::vector<Row> m_rows;
+};
+} // namespace
+
+std::vector<Row> measure(const Options& options)
+{
+    std::vector<Row> rows;
+    for (const std::string& folder : options.captures)
+    {
+        const Capture capture = Capture::open(folder);
+        const auto groups = groupsOf(options, capture);
+        if (groups.empty()) throw SettingError(folder + " has the layers of none of the denoisers");
+        for (const auto& [name, denoisers] : groups)
+        {
+            Group group(options, capture, name);
+            for (const ReplayDenoiser* denoiser : denoisers) group.add(*denoiser);
+            const std::vector<Row> measured = group.take();
+            rows.insert(rows.end(), measured.begin(), measured.end());
+        }
+    }
+    if (rows.empty()) throw SettingError("--points " + options.pointNames + ": nothing is left to measure");
+    markFronts(rows);
+    return rows;
+}
+} // namespace sample::report
