@@ -20,7 +20,7 @@ target_include_directories(nrd_measures PUBLIC "${CMAKE_CURRENT_SOURCE_DIR}/meas
 target_link_libraries(nrd_measures PUBLIC nrd_capture PRIVATE Threads::Threads nrd_warnings)
 
 # The denoisers by name and --set, of all programs.
-add_library(nrd_settings STATIC replay_denoisers.cpp replay_settings.cpp)
+add_library(nrd_settings STATIC replay_denoisers.cpp replay_settings.cpp setting_fields.cpp)
 target_link_libraries(nrd_settings PUBLIC nrd_measures nrd::nrd PRIVATE nrd_warnings)
 
 # What the replay tool is made of but for Vulkan, for its tests too.

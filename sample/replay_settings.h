@@ -4,6 +4,7 @@
 
 #include <nrd/settings.h>
 
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -53,16 +54,32 @@ nrd::CheckerboardMode checkerboardModeOf(const ReplaySettings& settings, Family 
 using SettingTarget = std::variant<float*, double*, uint32_t*, uint16_t*, bool*, nrd::AccumulationMode*,
                                    nrd::PrePassMode*, nrd::CheckerboardMode*, nrd::HitDistanceReconstructionMode*>;
 
+// What a number may be; infinite: as large as its type has it. Of no use to flags and modes.
+struct SettingRange
+{
+    double low = 0.0;
+    double high = 0.0;
+    bool isLowExcluded = false; // (low; high], else [low; high]
+};
+
 // One field of a given settings object; an array has several values in a row.
 struct SettingField
 {
     std::string name; // as in the struct, nested ones with a dot
     SettingTarget target;
     size_t count = 1;
+    const char* group = nullptr; // the heading a panel shows it under; null: the application's own, without a range
+    SettingRange range;
 };
 
 // The fields --set reaches for a family: the common ones, then the family's own.
 std::vector<SettingField> settingFields(ReplaySettings& settings, Family family);
+
+// Of an enumeration the names in the order of their values; empty for flags and numbers.
+std::span<const char* const> modeNames(const SettingTarget& target);
+
+// The field's values as an assignment has them.
+std::string valueText(const SettingField& field);
 
 // "key=value" as given on the command line.
 using Assignment = std::pair<std::string, std::string>;
