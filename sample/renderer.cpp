@@ -113,6 +113,7 @@ Stage loadStage(const Options& options)
     if (!stage.environment && !hasLights(stage.scene))
     {
         stage.environment = makeSky();
+        stage.isDefaultSky = true;
         stage.notes.push_back("The scene has no light: lighting it with the default sky.");
     }
     return stage;
@@ -138,7 +139,7 @@ Camera Renderer::currentCamera(float aspect) const
 void Renderer::setStage(size_t index, std::unique_ptr<DenoiseStage> stage)
 {
     m_device.waitIdle();
-    if (index == m_stages.size()) m_stages.emplace_back();
+    if (index >= m_stages.size()) m_stages.resize(index + 1);
     m_stages[index] = std::move(stage);
 }
 
@@ -187,7 +188,8 @@ void Renderer::startFrame(const FrameInput& input)
     m_frame.shadowLight = m_tracer.shadowLight();
     VkCommandBuffer cmd = m_ring.begin();
     m_tracer.recordFrame(cmd, m_frame.view);
-    for (auto& stage : m_stages) stage->record(cmd, m_tracer.images(), m_frame);
+    for (auto& stage : m_stages)
+        if (stage) stage->record(cmd, m_tracer.images(), m_frame);
     m_ring.submit();
 }
 

@@ -16,6 +16,7 @@ struct Stage
 {
     Scene scene;
     std::optional<Environment> environment;
+    bool isDefaultSky = false;      // the environment
     std::vector<std::string> notes; // one line for each default that was taken
 };
 
@@ -41,7 +42,7 @@ public:
     void renderFrame();
     /// Submits the next frame without waiting for it.
     void startFrame(const FrameInput& input);
-    /// Replaces what denoises the picture `index`, which may be one more than there are. Waits for the device.
+    /// Replaces what denoises the picture `index`; null leaves the place empty. Waits for the device.
     void setStage(size_t index, std::unique_ptr<DenoiseStage> stage);
     /// Takes the scene and the environment of the stage as they are now, in which nodes may have moved.
     void refreshScene();
@@ -70,6 +71,7 @@ public:
     DenoiseStage& stage(size_t set) { return *m_stages[set]; }
     const DenoiseFrame& frame() const { return m_frame; }
     Camera currentCamera(float aspect) const;
+    glm::vec3 sceneCenter() const { return m_pose->bounds().center(); }
 
 private:
     void pose(const FrameInput& input);

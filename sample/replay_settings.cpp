@@ -138,6 +138,31 @@ std::string valueText(const SettingField& field)
     return text;
 }
 
+bool isInRange(const SettingField& field)
+{
+    const SettingRange& range = field.range;
+    const auto isInside = [&](const auto* value)
+    {
+        using T = std::remove_const_t<std::remove_pointer_t<decltype(value)>>;
+        if constexpr (std::is_enum_v<T>)
+            return true;
+        else // in its own type: 0.2 as a float is a little more than 0.2
+            return (range.isLowExcluded ? *value > static_cast<T>(range.low) : *value >= static_cast<T>(range.low)) &&
+                   (std::isinf(range.high) || *value <= static_cast<T>(range.high));
+    };
+    return !field.hasRange() || std::visit(isInside, field.target);
+}
+
+std::string rangeText(const SettingRange& range)
+{
+    std::ostringstream text;
+    if (std::isinf(range.high))
+        text << (range.isLowExcluded ? "> " : ">= ") << range.low;
+    else
+        text << (range.isLowExcluded ? "(" : "[") << range.low << "; " << range.high << "]";
+    return text.str();
+}
+
 nrd::CheckerboardMode checkerboardModeOf(const ReplaySettings& settings, Family family)
 {
     if (family == Family::Reblur) return settings.reblur.checkerboardMode;

@@ -70,6 +70,8 @@ struct SettingField
     size_t count = 1;
     const char* group = nullptr; // the heading a panel shows it under; null: the application's own, without a range
     SettingRange range;
+
+    bool hasRange() const { return range.high > range.low; }
 };
 
 // The fields --set reaches for a family: the common ones, then the family's own.
@@ -80,6 +82,11 @@ std::span<const char* const> modeNames(const SettingTarget& target);
 
 // The field's values as an assignment has them.
 std::string valueText(const SettingField& field);
+
+// True for fields without a range.
+bool isInRange(const SettingField& field);
+// "[0; 63]", "(0; 1]", ">= 1".
+std::string rangeText(const SettingRange& range);
 
 // "key=value" as given on the command line.
 using Assignment = std::pair<std::string, std::string>;
