@@ -78,7 +78,7 @@ void App::frame()
     const double seconds = secondsOfFrame();
     listen(seconds);
     const bool isNew = m_viewer->advance(seconds);
-    if (isScripted() && !m_viewer->message().empty()) throw ScriptError(m_viewer->message());
+    if (isScripted() && m_viewer->wasRefused()) throw ScriptError(m_viewer->message());
     m_picked.reset();
     if (m_viewer->state.picked) m_picked = m_viewer->readPicked();
     show("");

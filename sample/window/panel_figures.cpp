@@ -46,6 +46,7 @@ void drawErrors(Viewer& viewer)
 {
     if (!viewer.state.hasReference) return;
     ImGui::Text("reference: %u samples per pixel", viewer.reference().sampleCount());
+    if (viewer.isMoving()) ImGui::TextDisabled("starts anew each frame: pause, or stop the animation");
     for (size_t i = 0; i < viewer.errors().size(); ++i)
         if (viewer.errors()[i]) ImGui::Text("%s: PSNR %.2f dB", i == 0 ? "A" : "B", *viewer.errors()[i]);
 }

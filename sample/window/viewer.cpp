@@ -165,6 +165,7 @@ void Viewer::followSides()
 
 bool Viewer::advance(double seconds)
 {
+    m_wasRefused = false;
     try
     {
         followTracer();
@@ -175,6 +176,7 @@ bool Viewer::advance(double seconds)
     {
         if (!m_renderer) throw;
         m_message = error.what();
+        m_wasRefused = true;
         state.sides = m_applied.sides; // what was refused changed nothing
         state.isCompared = m_applied.isCompared;
         followSides();

@@ -59,10 +59,13 @@ public:
     bool hasShadowSignal() const { return m_options.hasShadowSignal; }
     bool hasSun() const { return m_hasSun; }
     bool hasEnvironment() const { return m_stage.environment.has_value(); }
+    bool isMoving() const { return isAnimated() && state.animationSpeed > 0.0f && !state.isPaused; }
     bool isAnimated() const { return !m_stage.scene.channels.empty(); }
     const Options& options() const { return m_options; }
     const std::string& message() const { return m_message; }
     void setMessage(const std::string& message) { m_message = message; }
+    /// The last advance() was refused something; else a message only says what was done instead.
+    bool wasRefused() const { return m_wasRefused; }
 
     ViewerState state;
 
@@ -98,5 +101,6 @@ private:
     std::array<std::optional<double>, 2> m_errors;
     std::vector<float> m_frameTimes;
     std::string m_message;
+    bool m_wasRefused = false;
 };
 } // namespace sample
