@@ -93,7 +93,7 @@ void App::show(const std::string& progress)
     m_screen.gui().beginFrame();
     if (!progress.empty())
         drawProgress(progress, m_loader.seconds());
-    else if (m_viewer)
+    else if (m_viewer && !m_isPanelHidden)
         drawPanel({*m_viewer, m_wishes, m_recorder, m_picked});
     const auto record = [&](VkCommandBuffer cmd, uint32_t slot) -> engine::Image*
     {
@@ -207,9 +207,9 @@ void App::listen(double seconds)
 
 void App::listenToKeys()
 {
-    constexpr std::array<int, 8> kKeys = {GLFW_KEY_SPACE, GLFW_KEY_N, GLFW_KEY_R,   GLFW_KEY_C,
-                                          GLFW_KEY_TAB,   GLFW_KEY_1, GLFW_KEY_F11, GLFW_KEY_F12};
-    std::array<bool, 8> isHit;
+    constexpr std::array<int, 9> kKeys = {GLFW_KEY_SPACE, GLFW_KEY_N, GLFW_KEY_R,   GLFW_KEY_C,  GLFW_KEY_TAB,
+                                          GLFW_KEY_1,     GLFW_KEY_H, GLFW_KEY_F11, GLFW_KEY_F12};
+    std::array<bool, 9> isHit;
     for (size_t i = 0; i < kKeys.size(); ++i)
     {
         const bool isDown = m_window.isKeyDown(kKeys[i]);
@@ -222,8 +222,9 @@ void App::listenToKeys()
     if (isHit[3]) state.isCompared = !state.isCompared;
     if (isHit[4]) state.view = state.view == 0 ? 1 : 0; // denoised, noisy
     if (isHit[5]) m_viewer->startCamera(CameraMode::Scene);
-    if (isHit[6]) m_wishes.fullscreen = !m_window.isFullscreen();
-    if (isHit[7]) m_wishes.picture = "picture.png";
+    if (isHit[6]) m_isPanelHidden = !m_isPanelHidden;
+    if (isHit[7]) m_wishes.fullscreen = !m_window.isFullscreen();
+    if (isHit[8]) m_wishes.picture = "picture.png";
 }
 
 void App::listenToMouse()

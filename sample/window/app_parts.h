@@ -50,6 +50,7 @@ private:
     std::chrono::steady_clock::time_point m_last = std::chrono::steady_clock::now();
     glm::vec2 m_cursor = glm::vec2(0.0f);
     bool m_isSplitHeld = false;
-    std::array<bool, 8> m_wereKeysDown = {};
+    bool m_isPanelHidden = false;
+    std::array<bool, 9> m_wereKeysDown = {};
 };
 } // namespace sample

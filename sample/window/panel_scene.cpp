@@ -22,6 +22,7 @@ void drawScenePart(Viewer& viewer, Wishes& wishes)
         ImGui::TextDisabled("or drop .gltf, .glb, .hdr, .exr");
         ImGui::EndCombo();
     }
+    ImGui::SliderFloat("rendered scale", &wishes.renderScale, 0.1f, 2.0f, "%.2f", ImGuiSliderFlags_AlwaysClamp);
     int mode = int(state.cameraMode);
     if (ImGui::Combo("camera", &mode, kCameraModes, int(std::size(kCameraModes)))) viewer.startCamera(CameraMode(mode));
     if (viewer.isAnimated()) ImGui::SliderFloat("animation speed", &state.animationSpeed, 0.0f, 4.0f);

@@ -85,11 +85,10 @@ std::vector<Assignment> Viewer::effectiveSettings(size_t index) const
 {
     const Side& side = state.sides[index];
     std::vector<Assignment> settings = side.settings;
-    if (side.set.lobes->family != Family::Reblur) return settings;
+    const Family family = side.set.lobes->family;
     const ViewRow& view = views()[state.view];
-    if (view.mode == VIEW_OVERLAY) assign(settings, {"enableValidation", "true"});
-    const bool hasRadiance = side.set.lobes->composesLight();
-    if (hasRadiance && (view.showsHistory || state.picked))
+    if (view.mode == VIEW_OVERLAY && hasOverlay(family)) assign(settings, {"enableValidation", "true"});
+    if (family == Family::Reblur && side.set.lobes->composesLight() && (view.showsHistory || state.picked))
         assign(settings, {"returnHistoryLengthInsteadOfOcclusion", "true"});
     return settings;
 }

@@ -25,7 +25,10 @@ template <Lobe kLobe> Image* denoisedLobe(Viewer& viewer, size_t side) { return 
 Image* denoised(Viewer& viewer, size_t side) { return &viewer.side(side).composed(); }
 Image* denoisedShadow(Viewer& viewer, size_t side) { return viewer.side(side).denoisedShadow(); }
 Image* noisy(Viewer& viewer, size_t) { return &viewer.noisy().composed(); }
-Image* overlay(Viewer& viewer, size_t side) { return viewer.side(side).overlay(); }
+Image* overlay(Viewer& viewer, size_t side)
+{
+    return hasOverlay(viewer.side(side).set().lobes->family) ? viewer.side(side).overlay() : nullptr;
+}
 Image* overlaid(Viewer& viewer, size_t side) { return overlay(viewer, side) ? denoised(viewer, side) : nullptr; }
 Image* reference(Viewer& viewer, size_t)
 {

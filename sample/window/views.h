@@ -1,6 +1,7 @@
 // What can be looked at: every input, what became of it, and the pictures.
 #pragma once
 #include "engine/resources.h"
+#include "replay_denoisers.h"
 
 #include <span>
 #include <string_view>
@@ -19,6 +20,9 @@ struct ViewRow
     bool showsHistory = false;
 };
 std::span<const ViewRow> views();
+
+/// Its denoisers draw a validation overlay.
+constexpr bool hasOverlay(Family family) { return family == Family::Reblur || family == Family::Relax; }
 
 /// Index in views(); throws SettingError for another name.
 size_t findView(std::string_view name);
