@@ -9,6 +9,7 @@ packages=(
     libvulkan-dev mesa-vulkan-drivers vulkan-validationlayers
     libglm-dev libtinygltf-dev libstb-dev nlohmann-json3-dev libopenexr-dev libembree-dev libcli11-dev catch2
     gnuplot-nox               # for the plots of nrd-report
+    libglfw3-dev libimgui-dev xvfb xauth # for the window of nrd-sample and its tests
     libtinyexr-dev zlib1g-dev # for the program that renders the recorded test sequences
 )
 case "${1:-}" in

@@ -13,13 +13,6 @@ namespace
 {
 constexpr nrd::Identifier kLobeDenoiser = 0, kShadowDenoiser = 1;
 
-struct ComposeConstants
-{
-    glm::uvec2 size;
-    glm::vec2 occlusionWeights;
-    uint32_t hasShadow;
-};
-
 nrd::NrdUserImage toUserImage(const engine::Image& image)
 {
     nrd::NrdUserImage user;
@@ -74,12 +67,12 @@ engine::DeviceDesc denoiserDeviceDesc()
     return desc;
 }
 
-DenoiseStage::DenoiseStage(const engine::Device& device, const DenoiseDesc& desc) : m_device(device), m_desc(desc)
+DenoiseStage::DenoiseStage(const engine::Device& device, const DenoiseDesc& desc)
+    : m_device(device), m_desc(desc), m_compose(device)
 {
     if (!desc.set.isNone()) createIntegration(); // first: it may be refused
     createImages();
     m_packGuides = createPixelPipeline(device, shaderBlob(Shader::PackGuides), 2, sizeof(glm::uvec2));
-    m_compose = createPixelPipeline(device, shaderBlob(Shader::Compose), 7, sizeof(ComposeConstants));
 }
 
 void DenoiseStage::check(nrd::Result result, const char* action) const
@@ -97,6 +90,8 @@ void DenoiseStage::createImages()
     m_composed = create("composed", VK_FORMAT_R32G32B32A32_SFLOAT);
     const SampleDenoiser& denoiser = *m_desc.set.lobes;
     if (denoiser.family == Family::Reference) m_signal = create("composed noisy", VK_FORMAT_R32G32B32A32_SFLOAT);
+    if (m_desc.hasOverlay && !m_desc.set.isNone())
+        m_overlay = create("validation overlay", VK_FORMAT_R8G8B8A8_UNORM);
     if (m_desc.set.shadow)
         m_shadow.emplace(m_device,
                          ShadowSignalDesc{m_desc.set.shadow->denoiser == nrd::Denoiser::SIGMA_SHADOW_TRANSLUCENCY,
@@ -125,6 +120,7 @@ void DenoiseStage::createIntegration()
     creation.resourceHeight = static_cast<uint16_t>(m_desc.height);
     creation.framesInFlight = m_desc.framesInFlight;
     creation.createDefaultPipelines = true;
+    creation.isGpuTimingEnabled = m_desc.isTimed;
     std::vector<nrd::DenoiserDesc> denoisers;
     if (m_desc.set.lobes->family != Family::None) denoisers.push_back({kLobeDenoiser, m_desc.set.lobes->denoiser});
     if (m_desc.set.shadow) denoisers.push_back({kShadowDenoiser, m_desc.set.shadow->denoiser});
@@ -152,10 +148,33 @@ engine::Image* DenoiseStage::denoised(Lobe lobe)
     return signal ? &signal->values() : nullptr;
 }
 
-double DenoiseStage::memoryMiB() const
+void DenoiseStage::setSettings(const ReplaySettings& settings, const std::vector<Assignment>& assignments)
 {
-    if (!m_integration.IsCreated()) return 0.0;
-    return double(m_integration.GetMemoryStatistics().total) / (1024.0 * 1024.0);
+    const DenoiseDesc before = m_desc;
+    m_desc.settings = settings;
+    m_desc.assignments = assignments;
+    try
+    {
+        if (m_integration.IsCreated()) applyFamilySettings();
+    }
+    catch (const engine::Error&)
+    {
+        m_desc = before;
+        applyFamilySettings();
+        throw;
+    }
+    for (auto& lobe : m_lobes)
+        if (lobe) lobe->setHitDistanceParameters(hitDistanceParametersOf(settings));
+}
+
+nrd::MemoryStatistics DenoiseStage::memory() const
+{
+    return m_integration.IsCreated() ? m_integration.GetMemoryStatistics() : nrd::MemoryStatistics{};
+}
+
+nrd::Timings DenoiseStage::timings() const
+{
+    return m_integration.IsCreated() ? m_integration.GetTimings() : nrd::Timings{};
 }
 
 void DenoiseStage::record(VkCommandBuffer cmd, FrameImages& images, const DenoiseFrame& frame)
@@ -247,6 +266,7 @@ std::vector<SlotImage> DenoiseStage::slots(FrameImages& images)
     for (auto& lobe : m_lobes)
         if (lobe) add(lobe->slots());
     if (m_shadow) add(m_shadow->slots());
+    if (m_overlay) all.emplace_back(ResourceType::OUT_VALIDATION, &*m_overlay);
     return all;
 }
 
@@ -268,19 +288,10 @@ void DenoiseStage::compose(VkCommandBuffer cmd, FrameImages& images)
     engine::Image& target = m_desc.set.lobes->family == Family::Reference ? m_signal : m_composed;
     engine::Image* diffuse = denoised(Lobe::Diffuse);
     engine::Image* specular = denoised(Lobe::Specular);
-    std::vector<engine::Binding> bindings;
-    for (engine::Image* in :
-         {diffuse ? diffuse : &images.diffuse, specular ? specular : &images.specular, &images.diffuseFactor,
-          &images.specularFactor, &images.direct, &images.sun, m_shadow ? &m_shadow->values() : &images.shadow})
-    {
-        transition(cmd, *in, engine::kSampled);
-        bindings.emplace_back(*in);
-    }
-    transition(cmd, target, engine::kStorage);
-    bindings.emplace_back(target);
-    if (!m_composeSet) m_composeSet = m_compose.createSet(bindings);
-    const ComposeConstants constants = {glm::uvec2(m_desc.width, m_desc.height), occlusionWeights(*m_desc.set.lobes),
-                                        m_desc.hasShadowSignal};
-    dispatchPixels(cmd, m_compose, m_composeSet, constants, constants.size);
+    const ComposeSignals signals = {diffuse ? diffuse : &images.diffuse, specular ? specular : &images.specular,
+                                    m_shadow ? &m_shadow->values() : &images.shadow};
+    m_compose.record(
+        cmd, images, signals, target,
+        {glm::uvec2(m_desc.width, m_desc.height), occlusionWeights(*m_desc.set.lobes), m_desc.hasShadowSignal});
 }
 } // namespace sample

@@ -1,5 +1,6 @@
 // From the traced signals to the composed picture: packing, NrdIntegration on the sample's own images, composition.
 #pragma once
+#include "compose.h"
 #include "denoiser_set.h"
 #include "shadow_signal.h"
 
@@ -17,6 +18,8 @@ struct DenoiseDesc
     std::vector<Assignment> assignments; // --set, for the settings of a frame
     bool isSceneMoving = false;          // what reflections show may move on its own
     bool hasShadowSignal = false;        // as the tracer; a set without a denoiser of it shows it noisy
+    bool isTimed = false;                // fills timings()
+    bool hasOverlay = false;             // overlay() exists, if the denoiser has one
 };
 
 /// What changes from frame to frame.
@@ -39,6 +42,10 @@ public:
     /// be the same ones in every call. Frames come in order.
     void record(VkCommandBuffer cmd, FrameImages& images, const DenoiseFrame& frame);
 
+    /// From the next frame on. The checkerboard mode must stay. Throws engine::Error with the library's own sentence
+    /// when a value is refused; then the old settings stay.
+    void setSettings(const ReplaySettings& settings, const std::vector<Assignment>& assignments);
+
     engine::Image& composed() { return m_composed; } // RGBA32F, linear
     /// RGBA32F: linear radiance, normalised hit distance. Null when the denoiser does not take the lobe.
     engine::Image* denoised(Lobe lobe);
@@ -46,8 +53,14 @@ public:
     engine::Image* denoisedShadow() { return m_shadow ? &m_shadow->values() : nullptr; }
     const DenoiserSet& set() const { return m_desc.set; }
 
-    /// MiB of the denoisers' pools; 0 without denoiser.
-    double memoryMiB() const;
+    /// RGBA8: the validation overlay, written while enableValidation asks for it. Null without one.
+    engine::Image* overlay() { return m_overlay ? &*m_overlay : nullptr; }
+
+    /// All 0 without denoiser.
+    nrd::MemoryStatistics memory() const;
+    double memoryMiB() const { return double(memory().total) / (1024.0 * 1024.0); }
+    /// GPU time by pass of a frame some frames ago; valid until the next record().
+    nrd::Timings timings() const;
 
 private:
     void createImages();
@@ -69,8 +82,10 @@ private:
     engine::Image m_signal; // REFERENCE: the composed noisy picture
     std::array<std::optional<LobeSignal>, 2> m_lobes;
     std::optional<ShadowSignal> m_shadow;
-    engine::ComputePipeline m_packGuides, m_compose;
-    VkDescriptorSet m_packGuidesSet = VK_NULL_HANDLE, m_composeSet = VK_NULL_HANDLE;
+    std::optional<engine::Image> m_overlay;
+    engine::ComputePipeline m_packGuides;
+    VkDescriptorSet m_packGuidesSet = VK_NULL_HANDLE;
+    ComposePass m_compose;
     nrd::NrdIntegration m_integration;
     std::optional<View> m_previous;
 };

@@ -97,6 +97,14 @@ std::vector<Family> familiesOf(const std::vector<DenoiserSet>& sets)
 
 bool isCommonSetting(const std::string& key) { return hasSetting(Family::None, key); }
 
+void checkRanges(ReplaySettings& settings, const std::vector<Family>& families, const std::string& key)
+{
+    for (Family family : families)
+        for (const SettingField& field : settingFields(settings, family))
+            if (field.name == key && !isInRange(field))
+                throw SettingError("--set " + key + "=" + valueText(field) + ": expected " + rangeText(field.range));
+}
+
 void applySettings(ReplaySettings& settings, const std::vector<Family>& families,
                    const std::vector<Assignment>& assignments)
 {

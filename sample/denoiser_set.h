@@ -28,6 +28,9 @@ std::vector<Family> familiesOf(const std::vector<DenoiserSet>& sets);
 /// A field of CommonSettings, which every family has.
 bool isCommonSetting(const std::string& key);
 
+/// Throws SettingError when the field of that name holds a value out of its range.
+void checkRanges(ReplaySettings& settings, const std::vector<Family>& families, const std::string& key);
+
 /// Each assignment for every family that has the setting. Throws SettingError where none has, or for a bad value.
 void applySettings(ReplaySettings& settings, const std::vector<Family>& families,
                    const std::vector<Assignment>& assignments);

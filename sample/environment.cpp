@@ -33,9 +33,8 @@ Environment finish(Environment environment)
 }
 
 // Elevation colours as of a clear afternoon; the sun is 5 degrees wide so that a texel of this picture can hold it.
-glm::vec3 skyRadiance(const glm::vec3& d)
+glm::vec3 skyRadiance(const glm::vec3& d, const glm::vec3& sunDirection)
 {
-    const glm::vec3 sunDirection = glm::normalize(glm::vec3(0.45f, 0.65f, 0.6f));
     if (d.y < 0.0f) return glm::mix(glm::vec3(0.30f, 0.28f, 0.25f), glm::vec3(0.12f), std::min(-2.0f * d.y, 1.0f));
     const glm::vec3 zenith(0.18f, 0.36f, 0.85f), horizon(0.85f, 0.88f, 0.92f);
     const glm::vec3 sky = glm::mix(horizon, zenith, std::pow(d.y, 0.5f));
@@ -64,7 +63,9 @@ Environment makeEnvironment(const Image& picture)
     return finish(std::move(environment));
 }
 
-Environment makeSky()
+const glm::vec3 kDefaultSun = glm::normalize(glm::vec3(0.45f, 0.65f, 0.6f));
+
+Environment makeSky(const glm::vec3& toSun)
 {
     Environment environment;
     environment.width = 512;
@@ -75,11 +76,25 @@ Environment makeSky()
         {
             const double phi = ((x + 0.5) / environment.width - 0.5) * 2.0 * kPi;
             const double theta = (y + 0.5) / environment.height * kPi;
-            environment.radiance.push_back(skyRadiance(glm::vec3(
-                glm::dvec3(std::sin(theta) * std::sin(phi), std::cos(theta), -std::sin(theta) * std::cos(phi)))));
+            const glm::dvec3 direction(std::sin(theta) * std::sin(phi), std::cos(theta),
+                                       -std::sin(theta) * std::cos(phi));
+            environment.radiance.push_back(skyRadiance(glm::vec3(direction), toSun));
         }
     }
     return finish(std::move(environment));
+}
+
+Environment rotated(const Environment& environment, float turns)
+{
+    Environment out = environment;
+    const int width = environment.width;
+    const int shift = int(std::lround(double(turns) * width) % width + width) % width;
+    for (int y = 0; y < environment.height; ++y)
+    {
+        const auto row = out.radiance.begin() + std::ptrdiff_t(y) * width;
+        std::rotate(row, row + (width - shift) % width, row + width);
+    }
+    return finish(std::move(out));
 }
 
 Environment makeUniformEnvironment(const glm::vec3& radiance)

@@ -21,8 +21,14 @@ struct Environment
 /// Throws FileError when the picture is empty or too large.
 Environment makeEnvironment(const Image& picture);
 
+/// Where the sun of the default sky is: unit, towards it.
+extern const glm::vec3 kDefaultSun;
+
 /// The default sky: a gradient with a sun and a grey ground.
-Environment makeSky();
+Environment makeSky(const glm::vec3& toSun = kDefaultSun);
+
+/// Turned about the vertical by `turns` of the whole circle, to the next texel.
+Environment rotated(const Environment& environment, float turns);
 
 /// The same radiance from everywhere.
 Environment makeUniformEnvironment(const glm::vec3& radiance);

@@ -34,6 +34,9 @@ public:
     /// Fills values() from the output slots, which the denoiser has written.
     void recordUnpack(VkCommandBuffer cmd, FrameImages& frame, float denoisingRange);
 
+    /// As the tracer's and the denoiser's, from the next frame on.
+    void setHitDistanceParameters(const glm::vec3& parameters) { m_desc.hitDistanceParameters = parameters; }
+
     /// Input and output slots.
     std::vector<SlotImage> slots();
     /// RGBA32F: linear radiance, normalised hit distance or history length; sky: 0, 0, 0, 1.

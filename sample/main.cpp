@@ -1,7 +1,10 @@
-// nrd-sample: a glTF path tracer that denoises with the library, headless.
+// nrd-sample: a glTF path tracer that denoises with the library, headless or in a window.
 #include "demo.h"
 #include "exr.h"
 #include "renderer.h"
+#ifdef NRD_HAS_WINDOW
+#include "window/app.h"
+#endif
 
 #include <chrono>
 #include <cstdio>
@@ -186,6 +189,15 @@ void run(Options options)
         throw engine::Error("the validation layer reported " + std::to_string(device.validationMessageCount()) +
                             " messages");
 }
+
+void openWindow([[maybe_unused]] const Options& options)
+{
+#ifdef NRD_HAS_WINDOW
+    runWindow(options);
+#else
+    throw engine::Error("this build has no window; run it with --headless");
+#endif
+}
 } // namespace
 
 int main(int argumentCount, char** arguments)
@@ -195,9 +207,8 @@ int main(int argumentCount, char** arguments)
     if (!options) return exitCode;
     try
     {
-        if (!options->isHeadless && !options->listDevices && options->demo.empty())
-            throw engine::Error("this build has no window; run it with --headless");
-        run(*options);
+        const bool isHeadless = options->isHeadless || options->listDevices || !options->demo.empty();
+        isHeadless ? run(*options) : openWindow(*options);
         return 0;
     }
     catch (const std::exception& error)

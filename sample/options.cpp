@@ -65,6 +65,7 @@ void parseSize(const std::string& text, Options& options)
     if (std::sscanf(text.c_str(), "%ux%u%n", &width, &height, &length) != 2 || size_t(length) != text.size() ||
         width < 16 || width > 8192 || height < 16 || height > 8192)
         throw CLI::ValidationError("--size", "'" + text + "' is not WxH with both in [16; 8192]");
+    options.hasSize = true;
     options.width = width;
     options.height = height;
 }
@@ -80,6 +81,7 @@ void addRendering(CLI::App& app, Options& o)
 {
     app.add_option("SCENE", o.scene, "glTF 2.0 file, .gltf or .glb");
     app.add_flag("--headless", o.isHeadless, "Render without a window");
+    app.add_option("--script", o.script, "File with commands for the window, one a line")->option_text("FILE");
     app.add_option_function<std::string>(
            "--scene", [&o](const std::string& s) { parseBuiltIn(s, o); },
            "Instead of SCENE, " + oneOf(builtInScenes()) + "; default cornell")
@@ -214,6 +216,8 @@ void complete(Options& o)
     checkPicture(o.noisyScreenshot, "--noisy-screenshot");
     checkPicture(o.referenceScreenshot, "--reference-screenshot");
     if (!o.scene.empty() && o.builtIn) throw CLI::ValidationError("--scene", "SCENE is given, too");
+    if (!o.script.empty() && (o.isHeadless || !o.demo.empty()))
+        throw CLI::ValidationError("--script", "commands are for the window, not for --headless");
     const bool needsReference = !o.demo.empty() || !o.referenceScreenshot.empty();
     if (needsReference && o.referenceSpp == 0) o.referenceSpp = 128; // two minutes on two cores without a GPU
     const bool hasFrames = o.referenceFrames.every != 0 || !o.referenceFrames.list.empty();

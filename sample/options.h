@@ -31,6 +31,7 @@ struct Options
     bool hasShadowSignal = false;          // also where a set denoises it
     std::optional<float> sunRadius;        // degrees, [0; 45]; nullopt: the scene's
     nrd::CheckerboardMode checkerboard = nrd::CheckerboardMode::OFF;
+    bool hasSize = false; // width and height were asked for
     uint32_t width = 480; // pixels, [16; 8192]
     uint32_t height = 270;
     uint32_t frames = 33; // [1; 100000]
@@ -46,6 +47,7 @@ struct Options
     std::filesystem::path demo;    // folder
     uint32_t referenceSpp = 0;     // 0: no references
     ReferenceFrames referenceFrames;
+    std::filesystem::path script; // of the window
     std::string device;
     bool validation = false;
     bool isHeadless = false;

@@ -20,6 +20,7 @@ struct ModeRow
     Shader shader;
     size_t targetCount; // images it writes
 };
+constexpr uint32_t kFrameMode = 0, kReferenceMode = 1, kPlainMode = 2;
 constexpr ModeRow kModes[] = {{Shader::TraceFrame, 15}, {Shader::TraceReference, 3}, {Shader::TracePlain, 2}};
 
 // What the tracer is asked for applies to frames; a reference has all samples, plain paths have nothing apart.
@@ -80,9 +81,9 @@ PathTracer::PathTracer(const engine::Device& device, const Scene& scene, const E
     constants.usage = VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT;
     constants.isHostVisible = true;
     for (uint32_t i = 0; i < kSlotCount; ++i) m_constants.emplace_back(device, constants);
-    m_frame = createProgram(scene, environment, 0);
-    m_reference = createProgram(scene, environment, 1);
-    m_plain = createProgram(scene, environment, 2);
+    for (uint32_t mode = 0; mode < m_programs.size(); ++mode)
+        m_programs[mode].specialization = specializationOf(scene, environment != nullptr, descOfMode(desc, mode));
+    compile(kFrameMode);
 }
 
 void PathTracer::createImages()
@@ -130,12 +131,13 @@ void PathTracer::createTables(const Scene& scene, const Environment* environment
     desc.texelFormat = VK_FORMAT_R32G32B32A32_SFLOAT;
     m_energy = engine::createFilled(m_device, desc, std::as_bytes(std::span(energy)));
     store(m_materials, "materials", packMaterials(scene, texels));
-    store(m_environment, "environment", environment ? packEnvironment(*environment) : Words(2, glm::uvec4(0)));
-    if (environment) m_environmentConstants = glm::uvec4(environment->width, environment->height, 0, 0);
+    setEnvironment(environment);
 }
 
-PathTracer::Program PathTracer::createProgram(const Scene& scene, const Environment* environment, uint32_t mode) const
+void PathTracer::compile(uint32_t mode)
 {
+    Program& program = m_programs[mode];
+    if (program.pipeline) return;
     const ShaderBlob blob = shaderBlob(kModes[mode].shader);
     engine::ComputeDesc desc;
     desc.name = blob.name;
@@ -145,8 +147,22 @@ PathTracer::Program PathTracer::createProgram(const Scene& scene, const Environm
     desc.bindings[0] = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
     desc.bindings.resize(kSceneBindings + kModes[mode].targetCount, VK_DESCRIPTOR_TYPE_STORAGE_IMAGE);
     desc.setCount = kSlotCount;
-    desc.specialization = specializationOf(scene, environment != nullptr, descOfMode(m_desc, mode));
-    return {engine::ComputePipeline(m_device, desc), std::vector<VkDescriptorSet>(kSlotCount, VK_NULL_HANDLE)};
+    desc.specialization = program.specialization;
+    program.pipeline.emplace(m_device, desc);
+    program.sets.assign(kSlotCount, VK_NULL_HANDLE);
+}
+
+void PathTracer::setLimits(uint32_t maxBounces, float roughening)
+{
+    m_desc.maxBounces = maxBounces;
+    m_desc.roughening = roughening;
+}
+
+void PathTracer::setEnvironment(const Environment* environment)
+{
+    m_device.waitIdle();
+    store(m_environment, "environment", environment ? packEnvironment(*environment) : Words(2, glm::uvec4(0)));
+    if (environment) m_environmentConstants = glm::uvec4(environment->width, environment->height, 0, 0);
 }
 
 // A texel buffer grows by a quarter more than needed, so that a moving scene seldom replaces it.
@@ -211,25 +227,27 @@ void PathTracer::recordFrame(VkCommandBuffer cmd, const View& view)
                                                  &i.specularMotion,
                                                  &i.shadow,
                                                  &i.sun};
-    record(cmd, m_frame, targets, view, glm::uvec4(m_desc.seed, view.frameIndex, 1, 1));
+    record(cmd, kFrameMode, targets, view, glm::uvec4(m_desc.seed, view.frameIndex, 1, 1));
 }
 
 void PathTracer::recordReference(VkCommandBuffer cmd, const View& view, const ReferenceBatch& batch)
 {
     // Another seed than the frames', so that a frame is no part of its own reference.
-    record(cmd, m_reference, {&m_sumDiffuse, &m_sumSpecular, &m_sumShadow}, view,
+    record(cmd, kReferenceMode, {&m_sumDiffuse, &m_sumSpecular, &m_sumShadow}, view,
            glm::uvec4(m_desc.seed + 0x5EED, batch.first, batch.count, batch.first == 0));
 }
 
 void PathTracer::recordPlain(VkCommandBuffer cmd, const View& view, const ReferenceBatch& batch)
 {
-    record(cmd, m_plain, {&m_sumDiffuse, &m_sumSpecular}, view,
+    record(cmd, kPlainMode, {&m_sumDiffuse, &m_sumSpecular}, view,
            glm::uvec4(m_desc.seed + 0xBEEF, batch.first, batch.count, batch.first == 0));
 }
 
-void PathTracer::record(VkCommandBuffer cmd, Program& program, const std::vector<engine::Image*>& targets,
+void PathTracer::record(VkCommandBuffer cmd, uint32_t mode, const std::vector<engine::Image*>& targets,
                         const View& view, const glm::uvec4& sampling)
 {
+    compile(mode);
+    Program& program = m_programs[mode];
     m_slot = (m_slot + 1) % kSlotCount;
     TraceConstants c = {};
     c.worldToView = view.camera.worldToView;
@@ -256,11 +274,11 @@ void PathTracer::record(VkCommandBuffer cmd, Program& program, const std::vector
     }
     VkDescriptorSet& set = program.sets[m_slot];
     if (set)
-        program.pipeline.writeSet(set, bindings);
+        program.pipeline->writeSet(set, bindings);
     else
-        set = program.pipeline.createSet(bindings);
+        set = program.pipeline->createSet(bindings);
     const uint32_t groups =
         engine::groupCount(m_desc.width, kGroupSize) * engine::groupCount(m_desc.height, kGroupSize);
-    program.pipeline.dispatch(cmd, set, {}, {groups, 1, 1});
+    program.pipeline->dispatch(cmd, set, {}, {groups, 1, 1});
 }
 } // namespace sample

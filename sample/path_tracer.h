@@ -97,6 +97,13 @@ public:
     /// Adds plain paths, without split and demodulation, to sumDiffuse(): what composing must agree with.
     void recordPlain(VkCommandBuffer cmd, const View& view, const ReferenceBatch& batch);
 
+    /// What may change from frame to frame; the other fields of the description are final.
+    void setLimits(uint32_t maxBounces, float roughening);
+    void setHitDistanceParameters(const glm::vec3& parameters) { m_desc.hitDistanceParameters = parameters; }
+    /// Another picture of the same size, or none where there was none; then setPose() must follow. Waits for the
+    /// device.
+    void setEnvironment(const Environment* environment);
+
     FrameImages& images() { return m_images; }
     engine::Image& sumDiffuse() { return m_sumDiffuse; }
     engine::Image& sumSpecular() { return m_sumSpecular; }
@@ -112,13 +119,15 @@ public:
 private:
     void createImages();
     void createTables(const Scene& scene, const Environment* environment);
+    // Compiled when it is used first: a frame needs one, and each costs a second on a CPU.
     struct Program
     {
-        engine::ComputePipeline pipeline;
+        std::vector<uint32_t> specialization;
+        std::optional<engine::ComputePipeline> pipeline;
         std::vector<VkDescriptorSet> sets; // one per constants slot
     };
-    Program createProgram(const Scene& scene, const Environment* environment, uint32_t mode) const;
-    void record(VkCommandBuffer cmd, Program& program, const std::vector<engine::Image*>& targets, const View& view,
+    void compile(uint32_t mode);
+    void record(VkCommandBuffer cmd, uint32_t mode, const std::vector<engine::Image*>& targets, const View& view,
                 const glm::uvec4& sampling);
     void store(engine::Buffer& buffer, const char* name, const Words& words);
     const engine::Device& m_device;
@@ -129,7 +138,7 @@ private:
     engine::Buffer m_nodes, m_triangles, m_vertices, m_motion, m_materials, m_texels, m_lights, m_environment, m_energy;
     std::vector<engine::Buffer> m_constants; // ring
     uint32_t m_slot = 0;
-    Program m_frame, m_reference, m_plain;
+    std::array<Program, 3> m_programs; // by mode
     bool m_hasMotion = false;
     float m_denoisingRange = 1000.0f;
     float m_sceneRadius = 1.0f;

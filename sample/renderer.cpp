@@ -28,18 +28,6 @@ TracerDesc tracerDesc(const Options& options)
     return desc;
 }
 
-DenoiseDesc denoiseDesc(const Options& options, const Scene& scene, const DenoiserSet& set)
-{
-    return {set,
-            options.width,
-            options.height,
-            kFramesInFlight,
-            denoiserSettings(options),
-            options.settings,
-            !scene.channels.empty(),
-            options.hasShadowSignal};
-}
-
 CaptureLight toCapture(const SceneLight& light)
 {
     CaptureLight out;
@@ -100,6 +88,18 @@ Image toImage(const Planes& planes, Channel first)
 }
 } // namespace
 
+DenoiseDesc denoiseDesc(const Options& options, const Scene& scene, const DenoiserSet& set)
+{
+    return {set,
+            options.width,
+            options.height,
+            kFramesInFlight,
+            denoiserSettings(options),
+            options.settings,
+            !scene.channels.empty(),
+            options.hasShadowSignal};
+}
+
 Stage loadStage(const Options& options)
 {
     Stage stage;
@@ -113,6 +113,7 @@ Stage loadStage(const Options& options)
     if (!stage.environment && !hasLights(stage.scene))
     {
         stage.environment = makeSky();
+        stage.isDefaultSky = true;
         stage.notes.push_back("The scene has no light: lighting it with the default sky.");
     }
     return stage;
@@ -125,38 +126,71 @@ Renderer::Renderer(const engine::Device& device, const Stage& stage, const Optio
     for (const DenoiserSet& set : options.sets)
         m_stages.push_back(std::make_unique<DenoiseStage>(device, denoiseDesc(options, stage.scene, set)));
     const float aspect = float(options.width) / float(options.height);
-    if (!findCamera(stage.scene, m_pose, aspect)) m_framing = frameBounds(m_pose.bounds(), aspect);
-    m_tracer.setPose(stage.scene, m_pose, environmentOf(stage));
+    if (!findCamera(stage.scene, *m_pose, aspect)) m_framing = frameBounds(m_pose->bounds(), aspect);
+    m_tracer.setPose(stage.scene, *m_pose, environmentOf(stage));
     if (m_tracer.shadowLight()) m_firstLight = toCapture(*m_tracer.shadowLight());
 }
 
-Camera Renderer::currentCamera() const
+Camera Renderer::currentCamera(float aspect) const
 {
-    const float aspect = float(m_options.width) / float(m_options.height);
-    return m_framing ? *m_framing : *findCamera(m_stage.scene, m_pose, aspect);
+    return m_framing ? *m_framing : *findCamera(m_stage.scene, *m_pose, aspect);
+}
+
+void Renderer::setStage(size_t index, std::unique_ptr<DenoiseStage> stage)
+{
+    m_device.waitIdle();
+    if (index >= m_stages.size()) m_stages.resize(index + 1);
+    m_stages[index] = std::move(stage);
+}
+
+void Renderer::refreshScene()
+{
+    m_tracer.setEnvironment(environmentOf(m_stage));
+    m_pose.emplace(m_stage.scene);
+    if (m_time) m_pose->update(*m_time);
+    m_pose->forgetPrevious();
+    m_tracer.setPose(m_stage.scene, *m_pose, environmentOf(m_stage));
 }
 
 void Renderer::renderFrame()
 {
+    FrameInput input;
+    input.time = double(m_nextFrame) / double(m_options.framesPerSecond);
+    input.deltaTimeMs = 1000.0f / m_options.framesPerSecond;
+    startFrame(input);
+    m_ring.waitAll();
+}
+
+// Where time stands still nothing moves, which the first such frame has to say.
+void Renderer::pose(const FrameInput& input)
+{
+    if (!m_pose->isAnimated()) return;
+    const bool isStill = m_time == input.time;
+    if (isStill && m_isStill) return;
+    if (!isStill) m_pose->update(input.time);
+    if (isStill || m_nextFrame == 0 || input.isCut) m_pose->forgetPrevious();
+    m_time = input.time;
+    m_isStill = isStill;
+    m_tracer.setPose(m_stage.scene, *m_pose, environmentOf(m_stage));
+}
+
+void Renderer::startFrame(const FrameInput& input)
+{
+    pose(input);
     const uint32_t index = m_nextFrame++;
-    if (m_pose.isAnimated())
-    {
-        m_pose.update(double(index) / double(m_options.framesPerSecond));
-        if (index == 0) m_pose.forgetPrevious();
-        m_tracer.setPose(m_stage.scene, m_pose, environmentOf(m_stage));
-    }
-    m_frame.view.camera = currentCamera();
+    m_frame.view.camera =
+        input.camera ? *input.camera : currentCamera(float(m_options.width) / float(m_options.height));
     m_frame.view.jitter = m_options.hasJitter ? jitterOf(index) : glm::vec2(0.0f);
     m_frame.view.frameIndex = index;
     m_frame.denoisingRange = m_tracer.denoisingRange();
-    m_frame.deltaTimeMs = 1000.0f / m_options.framesPerSecond;
-    m_frame.isCut = index == 0;
+    m_frame.deltaTimeMs = input.deltaTimeMs;
+    m_frame.isCut = index == 0 || input.isCut;
     m_frame.shadowLight = m_tracer.shadowLight();
     VkCommandBuffer cmd = m_ring.begin();
     m_tracer.recordFrame(cmd, m_frame.view);
-    for (auto& stage : m_stages) stage->record(cmd, m_tracer.images(), m_frame);
+    for (auto& stage : m_stages)
+        if (stage) stage->record(cmd, m_tracer.images(), m_frame);
     m_ring.submit();
-    m_ring.waitAll();
 }
 
 Planes Renderer::readFrame()
@@ -242,7 +276,7 @@ Signals Renderer::readDenoised(size_t set)
         if (!denoised) continue;
         const Image image = readPicture(m_device, *denoised);
         const auto i = static_cast<size_t>(lobe);
-        if (m_options.sets[set].lobes->hasRadiance(lobe)) signals[kRadiance[i]] = toPlanes(image, 0, 3);
+        if (m_stages[set]->set().lobes->hasRadiance(lobe)) signals[kRadiance[i]] = toPlanes(image, 0, 3);
         signals[kHitDistance[i]] = toPlanes(image, 3, 1);
     }
     if (engine::Image* denoised = m_stages[set]->denoisedShadow())

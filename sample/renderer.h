@@ -16,11 +16,21 @@ struct Stage
 {
     Scene scene;
     std::optional<Environment> environment;
+    bool isDefaultSky = false;      // the environment
     std::vector<std::string> notes; // one line for each default that was taken
 };
 
 /// Reads scene and environment; throws SceneError or FileError.
 Stage loadStage(const Options& options);
+
+/// When and from where a frame is seen, if not as the headless run goes on.
+struct FrameInput
+{
+    std::optional<Camera> camera; // nullopt: the scene's own, or one that frames the scene
+    double time = 0.0;            // seconds of animation
+    float deltaTimeMs = 1000.0f / 60.0f;
+    bool isCut = false;
+};
 
 class Renderer
 {
@@ -30,6 +40,12 @@ public:
 
     /// Renders the next frame, starting with 0, and waits for it.
     void renderFrame();
+    /// Submits the next frame without waiting for it.
+    void startFrame(const FrameInput& input);
+    /// Replaces what denoises the picture `index`; null leaves the place empty. Waits for the device.
+    void setStage(size_t index, std::unique_ptr<DenoiseStage> stage);
+    /// Takes the scene and the environment of the stage as they are now, in which nodes may have moved.
+    void refreshScene();
     uint32_t frameIndex() const { return m_frame.view.frameIndex; } // of the frame rendered last
 
     /// The signals of the last frame as the capture format names them.
@@ -51,14 +67,22 @@ public:
     bool isFraming() const { return m_framing.has_value(); }
     double denoiserMiB(size_t set) const { return m_stages[set]->memoryMiB(); }
 
+    PathTracer& tracer() { return m_tracer; }
+    DenoiseStage& stage(size_t set) { return *m_stages[set]; }
+    const DenoiseFrame& frame() const { return m_frame; }
+    Camera currentCamera(float aspect) const;
+    glm::vec3 sceneCenter() const { return m_pose->bounds().center(); }
+
 private:
-    Camera currentCamera() const;
+    void pose(const FrameInput& input);
     Planes readSums(uint32_t samples, const Planes& frame);
 
     const engine::Device& m_device;
     const Stage& m_stage;
     const Options& m_options;
-    ScenePose m_pose;
+    std::optional<ScenePose> m_pose;
+    std::optional<double> m_time;             // of the pose
+    bool m_isStill = false;                   // the pose was the same in the frame before
     std::optional<Camera> m_framing;          // of a scene without camera
     std::optional<CaptureLight> m_firstLight; // of the shadow signal, before the first frame
     PathTracer m_tracer;
@@ -67,6 +91,9 @@ private:
     DenoiseFrame m_frame;
     uint32_t m_nextFrame = 0;
 };
+
+/// How `options` has a set denoised.
+DenoiseDesc denoiseDesc(const Options& options, const Scene& scene, const DenoiserSet& set);
 
 /// direct + sun * shadow + diffuse * diffuseFactor + specular * specularFactor of a frame's own signals.
 Image composeNoisy(const Planes& frame);

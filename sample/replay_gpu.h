@@ -21,7 +21,7 @@ enum class ShResolve : uint8_t
     SphericalGaussians,
     SphericalHarmonics,
     Restore, // NRD_SG_RestoreDiffuse and ...Specular
-    None // extracted without a resolve
+    None     // extracted without a resolve
 };
 
 struct ReplayGpuDesc

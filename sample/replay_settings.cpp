@@ -9,9 +9,6 @@ namespace sample
 {
 namespace
 {
-template <class T> SettingField field(const char* name, T& value) { return {name, &value, 1}; }
-template <class T, size_t N> SettingField field(const char* name, T (&values)[N]) { return {name, &values[0], N}; }
-
 // The enumerators' names in the order of their values.
 template <class Mode> struct ModeNames;
 template <> struct ModeNames<nrd::AccumulationMode>
@@ -30,155 +27,10 @@ template <> struct ModeNames<nrd::HitDistanceReconstructionMode>
 {
     static constexpr const char* names[] = {"OFF", "AREA_3X3", "AREA_5X5"};
 };
-
 template <> struct ModeNames<nrd::Quality>
 {
     static constexpr const char* names[] = {"FAST", "BALANCED", "BEST"};
 };
-
-std::vector<SettingField> commonFields(nrd::CommonSettings& s)
-{
-    return {
-        field("viewToClipMatrix", s.viewToClipMatrix),
-        field("viewToClipMatrixPrev", s.viewToClipMatrixPrev),
-        field("worldToViewMatrix", s.worldToViewMatrix),
-        field("worldToViewMatrixPrev", s.worldToViewMatrixPrev),
-        field("motionVectorScale", s.motionVectorScale),
-        field("isMotionVectorInWorldSpace", s.isMotionVectorInWorldSpace),
-        field("cameraJitter", s.cameraJitter),
-        field("cameraJitterPrev", s.cameraJitterPrev),
-        field("resourceSize", s.resourceSize),
-        field("resourceSizePrev", s.resourceSizePrev),
-        field("rectSize", s.rectSize),
-        field("rectSizePrev", s.rectSizePrev),
-        field("rectOrigin", s.rectOrigin),
-        field("cameraDelta", s.cameraDelta),
-        field("isCameraDeltaAvailable", s.isCameraDeltaAvailable),
-        field("metersToUnits", s.metersToUnits),
-        field("viewZScale", s.viewZScale),
-        field("timeDeltaBetweenFrames", s.timeDeltaBetweenFrames),
-        field("denoisingRange", s.denoisingRange),
-        field("disocclusionThreshold", s.disocclusionThreshold),
-        field("disocclusionThresholdAlternate", s.disocclusionThresholdAlternate),
-        field("cameraAttachedReflectionMaterialID", s.cameraAttachedReflectionMaterialID),
-        field("strandMaterialID", s.strandMaterialID),
-        field("historyFixAlternatePixelStrideMaterialID", s.historyFixAlternatePixelStrideMaterialID),
-        field("strandThickness", s.strandThickness),
-        field("splitScreen", s.splitScreen),
-        field("frameIndex", s.frameIndex),
-        field("accumulationMode", s.accumulationMode),
-        field("enableCutDetection", s.enableCutDetection),
-        field("isHistoryConfidenceAvailable", s.isHistoryConfidenceAvailable),
-        field("isDisocclusionThresholdMixAvailable", s.isDisocclusionThresholdMixAvailable),
-        field("isSpecularMotionAvailable", s.isSpecularMotionAvailable),
-        field("enableValidation", s.enableValidation),
-    };
-}
-
-std::vector<SettingField> reblurFields(nrd::ReblurSettings& s)
-{
-    return {
-        field("hitDistanceParameters.A", s.hitDistanceParameters.A),
-        field("hitDistanceParameters.B", s.hitDistanceParameters.B),
-        field("hitDistanceParameters.C", s.hitDistanceParameters.C),
-        field("antilagSettings.luminanceSigmaScale", s.antilagSettings.luminanceSigmaScale),
-        field("antilagSettings.luminanceSensitivity", s.antilagSettings.luminanceSensitivity),
-        field("responsiveAccumulationSettings.roughnessThreshold", s.responsiveAccumulationSettings.roughnessThreshold),
-        field("responsiveAccumulationSettings.minAccumulatedFrameNum",
-              s.responsiveAccumulationSettings.minAccumulatedFrameNum),
-        field("convergenceSettings.s", s.convergenceSettings.s),
-        field("convergenceSettings.b", s.convergenceSettings.b),
-        field("convergenceSettings.p", s.convergenceSettings.p),
-        field("maxAccumulatedFrameNum", s.maxAccumulatedFrameNum),
-        field("maxFastAccumulatedFrameNum", s.maxFastAccumulatedFrameNum),
-        field("maxStabilizedFrameNum", s.maxStabilizedFrameNum),
-        field("historyFixFrameNum", s.historyFixFrameNum),
-        field("historyFixBasePixelStride", s.historyFixBasePixelStride),
-        field("historyFixAlternatePixelStride", s.historyFixAlternatePixelStride),
-        field("fastHistoryClampingSigmaScale", s.fastHistoryClampingSigmaScale),
-        field("prePassMode", s.prePassMode),
-        field("diffusePrepassBlurRadius", s.diffusePrepassBlurRadius),
-        field("specularPrepassBlurRadius", s.specularPrepassBlurRadius),
-        field("minHitDistanceWeight", s.minHitDistanceWeight),
-        field("minBlurRadius", s.minBlurRadius),
-        field("maxBlurRadius", s.maxBlurRadius),
-        field("lobeAngleFraction", s.lobeAngleFraction),
-        field("roughnessFraction", s.roughnessFraction),
-        field("planeDistanceSensitivity", s.planeDistanceSensitivity),
-        field("fireflySuppressorMinRelativeScale", s.fireflySuppressorMinRelativeScale),
-        field("minMaterialForDiffuse", s.minMaterialForDiffuse),
-        field("minMaterialForSpecular", s.minMaterialForSpecular),
-        field("checkerboardMode", s.checkerboardMode),
-        field("hitDistanceReconstructionMode", s.hitDistanceReconstructionMode),
-        field("enableAntiFirefly", s.enableAntiFirefly),
-        field("usePrepassOnlyForSpecularMotionEstimation", s.usePrepassOnlyForSpecularMotionEstimation),
-        field("returnHistoryLengthInsteadOfOcclusion", s.returnHistoryLengthInsteadOfOcclusion),
-        field("enableReferenceAccumulation", s.enableReferenceAccumulation),
-    };
-}
-
-std::vector<SettingField> relaxFields(nrd::RelaxSettings& s)
-{
-    return {
-        field("antilagSettings.accelerationAmount", s.antilagSettings.accelerationAmount),
-        field("antilagSettings.spatialSigmaScale", s.antilagSettings.spatialSigmaScale),
-        field("antilagSettings.temporalSigmaScale", s.antilagSettings.temporalSigmaScale),
-        field("antilagSettings.resetAmount", s.antilagSettings.resetAmount),
-        field("diffuseMaxAccumulatedFrameNum", s.diffuseMaxAccumulatedFrameNum),
-        field("specularMaxAccumulatedFrameNum", s.specularMaxAccumulatedFrameNum),
-        field("diffuseMaxFastAccumulatedFrameNum", s.diffuseMaxFastAccumulatedFrameNum),
-        field("specularMaxFastAccumulatedFrameNum", s.specularMaxFastAccumulatedFrameNum),
-        field("historyFixFrameNum", s.historyFixFrameNum),
-        field("historyFixBasePixelStride", s.historyFixBasePixelStride),
-        field("historyFixAlternatePixelStride", s.historyFixAlternatePixelStride),
-        field("historyFixEdgeStoppingNormalPower", s.historyFixEdgeStoppingNormalPower),
-        field("fastHistoryClampingSigmaScale", s.fastHistoryClampingSigmaScale),
-        field("prePassMode", s.prePassMode),
-        field("diffusePrepassBlurRadius", s.diffusePrepassBlurRadius),
-        field("specularPrepassBlurRadius", s.specularPrepassBlurRadius),
-        field("minHitDistanceWeight", s.minHitDistanceWeight),
-        field("atrousIterationNum", s.atrousIterationNum),
-        field("spatialVarianceEstimationHistoryThreshold", s.spatialVarianceEstimationHistoryThreshold),
-        field("diffusePhiLuminance", s.diffusePhiLuminance),
-        field("specularPhiLuminance", s.specularPhiLuminance),
-        field("diffuseMinLuminanceWeight", s.diffuseMinLuminanceWeight),
-        field("specularMinLuminanceWeight", s.specularMinLuminanceWeight),
-        field("specularVarianceBoost", s.specularVarianceBoost),
-        field("depthThreshold", s.depthThreshold),
-        field("lobeAngleFraction", s.lobeAngleFraction),
-        field("specularLobeAngleSlack", s.specularLobeAngleSlack),
-        field("roughnessFraction", s.roughnessFraction),
-        field("roughnessEdgeStoppingRelaxation", s.roughnessEdgeStoppingRelaxation),
-        field("luminanceEdgeStoppingRelaxation", s.luminanceEdgeStoppingRelaxation),
-        field("normalEdgeStoppingRelaxation", s.normalEdgeStoppingRelaxation),
-        field("confidenceDrivenRelaxationMultiplier", s.confidenceDrivenRelaxationMultiplier),
-        field("confidenceDrivenLuminanceEdgeStoppingRelaxation", s.confidenceDrivenLuminanceEdgeStoppingRelaxation),
-        field("confidenceDrivenNormalEdgeStoppingRelaxation", s.confidenceDrivenNormalEdgeStoppingRelaxation),
-        field("minMaterialForDiffuse", s.minMaterialForDiffuse),
-        field("minMaterialForSpecular", s.minMaterialForSpecular),
-        field("checkerboardMode", s.checkerboardMode),
-        field("hitDistanceReconstructionMode", s.hitDistanceReconstructionMode),
-        field("enableAntiFirefly", s.enableAntiFirefly),
-        field("enableRoughnessEdgeStopping", s.enableRoughnessEdgeStopping),
-    };
-}
-
-std::vector<SettingField> sigmaFields(nrd::SigmaSettings& s)
-{
-    return {
-        field("lightDirection", s.lightDirection),
-        field("lightPosition", s.lightPosition),
-        field("isLightLocal", s.isLightLocal),
-        field("planeDistanceSensitivity", s.planeDistanceSensitivity),
-        field("maxStabilizedFrameNum", s.maxStabilizedFrameNum),
-        field("checkerboardMode", s.checkerboardMode),
-    };
-}
-
-std::vector<SettingField> referenceFields(nrd::ReferenceSettings& s)
-{
-    return {field("maxAccumulatedFrameNum", s.maxAccumulatedFrameNum)};
-}
 
 // Parses one value of type T out of the whole of `text`; returns what was expected when it is none, else null.
 template <class T> const char* parseValue(const std::string& text, T& value)
@@ -219,6 +71,20 @@ template <class T> const char* parseValue(const std::string& text, T& value)
     }
 }
 
+// What parseValue() takes back.
+template <class T> std::string textOf(T value)
+{
+    if constexpr (std::is_same_v<T, bool>)
+        return value ? "true" : "false";
+    else if constexpr (std::is_enum_v<T>)
+        return ModeNames<T>::names[static_cast<size_t>(value)];
+    else
+    {
+        char digits[32];
+        return {digits, std::to_chars(digits, digits + sizeof(digits), value).ptr};
+    }
+}
+
 std::vector<std::string> split(const std::string& text)
 {
     std::vector<std::string> parts;
@@ -252,36 +118,60 @@ void assign(const SettingField& target, const std::string& text)
 }
 } // namespace
 
+std::span<const char* const> modeNames(const SettingTarget& target)
+{
+    const auto names = [](auto* value) -> std::span<const char* const>
+    {
+        using T = std::remove_pointer_t<decltype(value)>;
+        if constexpr (std::is_enum_v<T>)
+            return ModeNames<T>::names;
+        else
+            return {};
+    };
+    return std::visit(names, target);
+}
+
+std::string valueText(const SettingField& field)
+{
+    std::string text;
+    for (size_t i = 0; i < field.count; i++)
+    {
+        if (i > 0) text += ",";
+        text += std::visit([&](const auto* values) { return textOf(values[i]); }, field.target);
+    }
+    return text;
+}
+
+bool isInRange(const SettingField& field)
+{
+    const SettingRange& range = field.range;
+    const auto isInside = [&](const auto* value)
+    {
+        using T = std::remove_const_t<std::remove_pointer_t<decltype(value)>>;
+        if constexpr (std::is_enum_v<T>)
+            return true;
+        else // in its own type: 0.2 as a float is a little more than 0.2
+            return (range.isLowExcluded ? *value > static_cast<T>(range.low) : *value >= static_cast<T>(range.low)) &&
+                   (std::isinf(range.high) || *value <= static_cast<T>(range.high));
+    };
+    return !field.hasRange() || std::visit(isInside, field.target);
+}
+
+std::string rangeText(const SettingRange& range)
+{
+    std::ostringstream text;
+    if (std::isinf(range.high))
+        text << (range.isLowExcluded ? "> " : ">= ") << range.low;
+    else
+        text << (range.isLowExcluded ? "(" : "[") << range.low << "; " << range.high << "]";
+    return text.str();
+}
+
 nrd::CheckerboardMode checkerboardModeOf(const ReplaySettings& settings, Family family)
 {
     if (family == Family::Reblur) return settings.reblur.checkerboardMode;
     if (family == Family::Sigma) return settings.sigma.checkerboardMode;
     return family == Family::Relax ? settings.relax.checkerboardMode : nrd::CheckerboardMode::OFF;
-}
-
-std::vector<SettingField> settingFields(ReplaySettings& settings, Family family)
-{
-    std::vector<SettingField> fields = commonFields(settings.common);
-    std::vector<SettingField> own;
-    switch (family)
-    {
-    case Family::Reblur:
-        own = reblurFields(settings.reblur);
-        break;
-    case Family::Relax:
-        own = relaxFields(settings.relax);
-        break;
-    case Family::Reference:
-        own = referenceFields(settings.reference);
-        break;
-    case Family::Sigma:
-        own = sigmaFields(settings.sigma);
-        break;
-    case Family::None:
-        break;
-    }
-    fields.insert(fields.end(), std::make_move_iterator(own.begin()), std::make_move_iterator(own.end()));
-    return fields;
 }
 
 ReplaySettings presetSettings(nrd::Quality preset)

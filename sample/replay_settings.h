@@ -4,6 +4,7 @@
 
 #include <nrd/presets.h>
 
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -53,12 +54,24 @@ nrd::CheckerboardMode checkerboardModeOf(const ReplaySettings& settings, Family 
 using SettingTarget = std::variant<float*, double*, uint32_t*, uint16_t*, bool*, nrd::AccumulationMode*,
                                    nrd::PrePassMode*, nrd::CheckerboardMode*, nrd::HitDistanceReconstructionMode*>;
 
+// What a number may be; infinite: as large as its type has it. Of no use to flags and modes.
+struct SettingRange
+{
+    double low = 0.0;
+    double high = 0.0;
+    bool isLowExcluded = false; // (low; high], else [low; high]
+};
+
 // One field of a given settings object; an array has several values in a row.
 struct SettingField
 {
     std::string name; // as in the struct, nested ones with a dot
     SettingTarget target;
     size_t count = 1;
+    const char* group = nullptr; // the heading a panel shows it under; null: the application's own, without a range
+    SettingRange range;
+
+    bool hasRange() const { return range.high > range.low; }
 };
 
 // The fields --set reaches for a family: the common ones, then the family's own.
@@ -71,6 +84,17 @@ ReplaySettings presetSettings(nrd::Quality preset);
 nrd::Quality parsePreset(const std::string& text);
 
 const char* nameOf(nrd::Quality preset);
+
+// Of an enumeration the names in the order of their values; empty for flags and numbers.
+std::span<const char* const> modeNames(const SettingTarget& target);
+
+// The field's values as an assignment has them.
+std::string valueText(const SettingField& field);
+
+// True for fields without a range.
+bool isInRange(const SettingField& field);
+// "[0; 63]", "(0; 1]", ">= 1".
+std::string rangeText(const SettingRange& range);
 
 // "key=value" as given on the command line.
 using Assignment = std::pair<std::string, std::string>;

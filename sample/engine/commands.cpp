@@ -38,12 +38,17 @@ void beginRecording(VkCommandBuffer cmd)
     check(vkBeginCommandBuffer(cmd, &info), "begin a command buffer");
 }
 
-void endAndSubmit(const Device& device, VkCommandBuffer cmd, VkFence fence)
+void endAndSubmit(const Device& device, VkCommandBuffer cmd, VkFence fence, const SubmitSemaphores& semaphores = {})
 {
     check(vkEndCommandBuffer(cmd), "end a command buffer");
     auto info = describe<VkSubmitInfo>(VK_STRUCTURE_TYPE_SUBMIT_INFO);
     info.commandBufferCount = 1;
     info.pCommandBuffers = &cmd;
+    info.waitSemaphoreCount = semaphores.wait ? 1 : 0;
+    info.pWaitSemaphores = &semaphores.wait;
+    info.pWaitDstStageMask = &semaphores.waitStage;
+    info.signalSemaphoreCount = semaphores.signal ? 1 : 0;
+    info.pSignalSemaphores = &semaphores.signal;
     check(vkQueueSubmit(device.queue(), 1, &info, fence), "submit a command buffer");
 }
 
@@ -88,12 +93,12 @@ VkCommandBuffer FrameRing::begin()
     return frame.cmd;
 }
 
-void FrameRing::submit()
+void FrameRing::submit(const SubmitSemaphores& semaphores)
 {
     Frame& frame = m_frames[m_slot];
     VkFence fence = frame.fence.get();
     check(vkResetFences(m_device.handle(), 1, &fence), "reset a fence");
-    endAndSubmit(m_device, frame.cmd, fence);
+    endAndSubmit(m_device, frame.cmd, fence, semaphores);
 }
 
 void FrameRing::waitAll() const

@@ -11,6 +11,14 @@ namespace engine
 /// Records with `record`, submits, and returns when the device is done. For set-up, tests and tools.
 void submitAndWait(const Device& device, const std::function<void(VkCommandBuffer)>& record);
 
+/// What a submission waits for and what it signals; null: nothing.
+struct SubmitSemaphores
+{
+    VkSemaphore wait = VK_NULL_HANDLE;
+    VkPipelineStageFlags waitStage = VK_PIPELINE_STAGE_ALL_COMMANDS_BIT;
+    VkSemaphore signal = VK_NULL_HANDLE;
+};
+
 /// One command buffer per frame in flight; begin() waits for the frame that used the slot last.
 class FrameRing
 {
@@ -23,7 +31,7 @@ public:
     /// The command buffer of the next frame, in recording state.
     VkCommandBuffer begin();
     /// Ends the recording and submits it.
-    void submit();
+    void submit(const SubmitSemaphores& semaphores = {});
     /// Returns when every submitted frame is done.
     void waitAll() const;
     /// Slot of the frame begun last, in [0; frameCount).

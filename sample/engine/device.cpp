@@ -129,7 +129,7 @@ bool contains(const VkPhysicalDeviceFeatures& all, const VkPhysicalDeviceFeature
     return std::memcmp(&both, &all, sizeof(all)) == 0;
 }
 
-uint32_t findQueueFamily(VkPhysicalDevice physical)
+uint32_t findQueueFamily(VkInstance instance, VkPhysicalDevice physical, const DeviceDesc& desc)
 {
     uint32_t count = 0;
     vkGetPhysicalDeviceQueueFamilyProperties(physical, &count, nullptr);
@@ -137,9 +137,11 @@ uint32_t findQueueFamily(VkPhysicalDevice physical)
     vkGetPhysicalDeviceQueueFamilyProperties(physical, &count, families.data());
     for (uint32_t i = 0; i < count; ++i)
     {
-        if (families[i].queueFlags & VK_QUEUE_COMPUTE_BIT) return i;
+        const bool isAble = (families[i].queueFlags & desc.queueFlags) == desc.queueFlags;
+        if (isAble && (!desc.canPresent || desc.canPresent(instance, physical, i))) return i;
     }
-    throw Error(std::string("device '") + propertiesOf(physical).deviceName + "' has no compute queue");
+    const std::string lack = desc.canPresent ? "queue that computes, draws and presents" : "compute queue";
+    throw Error(std::string("device '") + propertiesOf(physical).deviceName + "' has no " + lack);
 }
 } // namespace
 
@@ -166,8 +168,8 @@ Device::Device(const DeviceDesc& desc)
 {
     try
     {
-        createInstance(desc.validation);
-        pickPhysical(desc.device);
+        createInstance(desc);
+        pickPhysical(desc);
         createDevice(desc);
     }
     catch (...)
@@ -191,8 +193,9 @@ void Device::destroy() noexcept
     if (m_instance) vkDestroyInstance(m_instance, nullptr);
 }
 
-void Device::createInstance(bool validation)
+void Device::createInstance(const DeviceDesc& desc)
 {
+    const bool validation = desc.validation;
     if (validation && !hasInstanceLayer(kValidationLayer))
         throw Error("validation was asked for, but the layer VK_LAYER_KHRONOS_validation is not installed");
     m_hasDebugUtils = hasInstanceExtension(VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
@@ -205,6 +208,7 @@ void Device::createInstance(bool validation)
     features.pEnabledValidationFeatures = &sync;
     std::vector<const char*> extensions;
     if (m_hasDebugUtils) extensions.push_back(VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
+    for (const std::string& extension : desc.instanceExtensions) extensions.push_back(extension.c_str());
 
     auto info = describe<VkInstanceCreateInfo>(VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO);
     info.pNext = validation ? &features : nullptr;
@@ -222,14 +226,14 @@ void Device::createInstance(bool validation)
     check(create(m_instance, &messenger, nullptr, &m_messenger), "create the validation messenger");
 }
 
-void Device::pickPhysical(const std::string& device)
+void Device::pickPhysical(const DeviceDesc& desc)
 {
-    m_physical = findDevice(enumerate(m_instance), device);
+    m_physical = findDevice(enumerate(m_instance), desc.device);
     m_properties = propertiesOf(m_physical);
     if (m_properties.apiVersion < VK_API_VERSION_1_1)
         throw Error(std::string("device '") + m_properties.deviceName + "' does not offer Vulkan 1.1");
     vkGetPhysicalDeviceMemoryProperties(m_physical, &m_memory);
-    m_queueFamily = findQueueFamily(m_physical);
+    m_queueFamily = findQueueFamily(m_instance, m_physical, desc);
 }
 
 void Device::createDevice(const DeviceDesc& desc)

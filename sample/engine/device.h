@@ -1,10 +1,11 @@
-// The sample's own Vulkan: instance, physical device, device and one queue, headless.
+// The sample's own Vulkan: instance, physical device, device and one queue, with or without a window.
 // One thread at a time per Device; it outlives everything made from it.
 #pragma once
 #include "engine/error.h"
 
 #include <atomic>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -15,8 +16,11 @@ struct DeviceDesc
 {
     std::string device; // index as --list-devices prints it, or part of the name; empty: the first, GPUs before CPUs
     bool validation = false; // Khronos validation with synchronisation validation; messages are counted and printed
-    VkPhysicalDeviceFeatures features = {}; // enabled on top of the engine's own; absent ones are an Error
-    std::vector<std::string> extensions;    // device extensions, enabled where the device has them
+    VkPhysicalDeviceFeatures features = {};         // enabled on top of the engine's own; absent ones are an Error
+    std::vector<std::string> extensions;            // device extensions, enabled where the device has them
+    std::vector<std::string> instanceExtensions;    // must be there
+    VkQueueFlags queueFlags = VK_QUEUE_COMPUTE_BIT; // what the queue must be able to do
+    std::function<bool(VkInstance, VkPhysicalDevice, uint32_t family)> canPresent; // asked of it, too; may be empty
 };
 
 /// What a validation layer said: the count of warnings and errors since the device was created.
@@ -62,8 +66,8 @@ public:
     void waitIdle() const;
 
 private:
-    void createInstance(bool validation);
-    void pickPhysical(const std::string& device);
+    void createInstance(const DeviceDesc& desc);
+    void pickPhysical(const DeviceDesc& desc);
     void createDevice(const DeviceDesc& desc);
     void destroy() noexcept;
 

@@ -103,6 +103,34 @@ std::vector<std::byte> readBack(const Device& device, const Buffer& buffer)
     return {bytes.begin(), bytes.end()};
 }
 
+std::vector<std::array<float, 4>> readTexels(const Device& device, const std::vector<Image*>& images, uint32_t x,
+                                             uint32_t y)
+{
+    constexpr VkDeviceSize kTexel = sizeof(std::array<float, 4>);
+    const Buffer staging = createStaging(device, images.size() * kTexel);
+    std::memset(staging.mapped().data(), 0, staging.byteSize());
+    submitAndWait(device,
+                  [&](VkCommandBuffer cmd)
+                  {
+                      for (size_t i = 0; i < images.size(); ++i)
+                      {
+                          const ImageState before = images[i]->state;
+                          transition(cmd, *images[i], kCopySource);
+                          VkBufferImageCopy region = wholeImage(*images[i]);
+                          region.bufferOffset = i * kTexel;
+                          region.imageOffset = {int32_t(x), int32_t(y), 0};
+                          region.imageExtent = {1, 1, 1};
+                          vkCmdCopyImageToBuffer(cmd, images[i]->handle(), kCopySource.layout, staging.handle(), 1,
+                                                 &region);
+                          if (before.layout != VK_IMAGE_LAYOUT_UNDEFINED) transition(cmd, *images[i], before);
+                      }
+                      memoryBarrier(cmd);
+                  });
+    std::vector<std::array<float, 4>> texels(images.size());
+    std::memcpy(texels.data(), staging.mapped().data(), staging.byteSize());
+    return texels;
+}
+
 Buffer createFilled(const Device& device, BufferDesc desc, std::span<const std::byte> bytes)
 {
     desc.byteSize = bytes.size();

@@ -2,6 +2,8 @@
 #pragma once
 #include "engine/resources.h"
 
+#include <array>
+
 namespace engine
 {
 /// Fills the whole image, rows from the top without padding; leaves it in the sampled state.
@@ -16,6 +18,11 @@ std::vector<std::byte> readBack(const Device& device, Image& image);
 
 /// The whole buffer.
 std::vector<std::byte> readBack(const Device& device, const Buffer& buffer);
+
+/// One texel of each of several float images of the same size, in the order of the list; missing components are 0.
+/// The images come back in the state they were in.
+std::vector<std::array<float, 4>> readTexels(const Device& device, const std::vector<Image*>& images, uint32_t x,
+                                             uint32_t y);
 
 /// readBack() as an array of T.
 template <class T, class Resource> std::vector<T> readBackAs(const Device& device, Resource& resource)

@@ -1,0 +1,56 @@
+// What the program with a window is made of; for app*.cpp only.
+#pragma once
+#include "window/app.h"
+#include "window/loader.h"
+#include "window/panel.h"
+#include "window/screen.h"
+#include "window/script.h"
+
+namespace sample
+{
+class App
+{
+public:
+    explicit App(const Options& options);
+    void run();
+
+private:
+    void frame();
+    void show(const std::string& progress);
+    void finishLoading();
+    void fulfil();
+    void listen(double seconds);
+    void listenToKeys();
+    void listenToMouse();
+    void pick(glm::vec2 share);
+    void followWindow();
+    double secondsOfFrame();
+
+    // The script, app_script.cpp.
+    void runScript();
+    void run(const ScriptCommand& command);
+    void runViewing(const ScriptCommand& command);
+    void runTracing(const ScriptCommand& command);
+    void runWindowing(const ScriptCommand& command);
+    void print(const std::string& what);
+    bool isScripted() const { return !m_options.script.empty(); }
+
+    Options m_options; // of the next scene
+    window::Window m_window;
+    engine::Device m_device;
+    window::Screen m_screen;
+    Loader m_loader;
+    std::unique_ptr<Viewer> m_viewer;
+    Recorder m_recorder;
+    Wishes m_wishes;
+    std::optional<PickedPixel> m_picked;
+    std::vector<ScriptCommand> m_script;
+    size_t m_next = 0;         // of the script
+    uint32_t m_waitFrames = 0; // before it goes on
+    std::chrono::steady_clock::time_point m_last = std::chrono::steady_clock::now();
+    glm::vec2 m_cursor = glm::vec2(0.0f);
+    bool m_isSplitHeld = false;
+    bool m_isPanelHidden = false;
+    std::array<bool, 9> m_wereKeysDown = {};
+};
+} // namespace sample
