@@ -35,11 +35,11 @@ struct ReblurImages
     }
 
     void denoise(nrd::NrdIntegration& integration, rhi::CommandBuffer& commands,
-                 const nrd::DenoiseOptions& options = {})
+                 const nrd::DenoiseOptions& options = {}, nrd::Identifier identifier = kReblur)
     {
         nrd::NrdUserPool pool;
         for (size_t i = 0; i < images.size(); i++) pool[slots[i]] = images[i].entry;
-        require(integration.Denoise(rhi::vulkanCommandBuffer(commands), &kReblur, 1, pool, options), integration);
+        require(integration.Denoise(rhi::vulkanCommandBuffer(commands), &identifier, 1, pool, options), integration);
         for (size_t i = 0; i < images.size(); i++) images[i].entry.state = pool[slots[i]].state;
     }
 

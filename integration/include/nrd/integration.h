@@ -192,8 +192,8 @@ public:
     /// Once per frame, before all else; the GPU must have finished the frame `framesInFlight` calls ago.
     Result NewFrame();
 
-    /// At least once between NewFrame() and Denoise(). Refuses a frame index that stands still since the last frame,
-    /// and a resource size other than the one of Create() or Resize().
+    /// At least once between NewFrame() and Denoise(); with several views, before each one's Denoise(). Refuses a frame
+    /// index that stands still since the last frame, and a resource size other than the one of Create() or Resize().
     Result SetCommonSettings(const CommonSettings& settings);
 
     /// Copied; kept until set again, also across Resize().
