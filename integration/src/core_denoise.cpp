@@ -13,13 +13,14 @@ void Core::denoise(VkCommandBuffer commandBuffer, rhi::Span<const Identifier> id
     checkRequest(identifiers, userPool);
     if (identifiers.empty()) return;
     rhi::CommandBuffer& commands = wrap(commandBuffer);
-    const rhi::Span<const DispatchDesc> dispatches = request(identifiers);
+    rhi::Span<const DispatchDesc> dispatches;
     // Puts the states back that a dump has entered, if planning fails; also what they are restored to.
     const NrdUserPool arrival = userPool;
     const bool hasDump = isDumped(identifiers);
     try
     {
-        if (hasDump) planDump(identifiers, userPool);
+        if (hasDump) planDump(identifiers, userPool); // first, as its failure breaks no history
+        dispatches = request(identifiers);
         m_planner->plan(planContext(userPool, arrival), dispatches, options);
     }
     catch (...)
