@@ -100,7 +100,9 @@ install(FILES CMakeLists.txt CMakePresets.json README.md LICENSE CHANGELOG.md DE
 # cpack: .deb of runtime and development, .tar.gz of all three.
 set(CPACK_GENERATOR DEB TGZ)
 set(CPACK_PACKAGE_VENDOR "The project's authors")
-set(CPACK_PACKAGE_CONTACT "The project's authors <nrd@localhost>")
+set(NRD_PACKAGE_CONTACT "The project's authors <nrd@localhost>" CACHE STRING
+    "Maintainer of the packages, name and address: whoever distributes them sets it")
+set(CPACK_PACKAGE_CONTACT "${NRD_PACKAGE_CONTACT}")
 set(CPACK_RESOURCE_FILE_LICENSE "${PROJECT_SOURCE_DIR}/LICENSE")
 set(CPACK_PACKAGING_INSTALL_PREFIX "/usr")
 set(CPACK_COMPONENTS_ALL runtime development source)

@@ -183,7 +183,9 @@ void Core::resize(uint32_t width, uint32_t height)
     // From here on nothing fails.
     m_retired.retire(m_frame, std::exchange(m_pools, std::move(pools)));
     m_views.outdate();
+    m_recordings.clear();
     endDiagnosis();
+    if (m_dump) m_dump->stop("Resize() was called, but a capture has one size");
     m_timer->drop();                                                    // its names belong to the instance that goes
     retired->instance = std::exchange(m_instance, std::move(instance)); // the trace still names passes of its frames
     m_retired.retire(m_frame, std::move(retired));
@@ -207,6 +209,7 @@ void Core::newFrame()
         m_views.collect(frame - m_desc.framesInFlight - kIdleFrames, m_retired);
     m_frameSets[slot].beginFrame();
     m_frame = frame;
+    m_requested.clear();
     m_constants->beginFrame(slot);
     m_timer->beginFrame(m_frame, slot);
     m_trace->beginFrame(m_frame, slot);
@@ -227,6 +230,7 @@ void Core::setCommonSettings(const CommonSettings& settings)
                       sentence("frameIndex is %u as in the previous frame, it must grow by 1 with each frame",
                                settings.frameIndex));
     check(SetCommonSettings(*m_instance, settings));
+    m_requested.clear();
     m_common = settings;
     m_hasFrameIndex = true;
     m_frameIndexFrame = m_frame;

@@ -2,6 +2,8 @@
 #pragma once
 #include "diagnosis.h"
 #include "dispatch.h"
+#include "dump/input_dump.h"
+#include "recordings.h"
 #include "refusal.h"
 #include "unique_instance.h"
 #include <nrd/integration.h>
@@ -27,9 +29,15 @@ public:
     }
     void denoise(VkCommandBuffer commandBuffer, rhi::Span<const Identifier> identifiers, NrdUserPool& userPool,
                  const DenoiseOptions& options);
+    /// Whether what was recorded under options.recording does for this frame.
+    bool repeat(rhi::Span<const Identifier> identifiers, NrdUserPool& userPool, const DenoiseOptions& options);
     void recordDiagnosis(VkCommandBuffer commandBuffer, NrdUserPool& userPool, NrdDiagnosisImages* extra);
     rhi::Span<const Finding> diagnose(bool isGpuIdle);
     void endDiagnosis();
+    void dumpInputs(const char* folder, uint32_t frameCount);
+    /// Writes what the GPU has certainly finished, or everything. Throws a Refusal, and then the dump has ended.
+    void writeDump(bool isGpuIdle);
+    bool isDumping() const { return m_dump != nullptr; }
     void forget(VkImage image) { m_views.forget(image, m_retired); }
 
     Timings timings() const { return m_timer->timings(); }
@@ -74,7 +82,19 @@ private:
     bool repairHistory(rhi::Span<const Identifier> identifiers);
     std::vector<DiagnosedImage> diagnosedImages(NrdUserPool& userPool, NrdDiagnosisImages* extra);
     void lookAtDiagnosis(bool isGpuIdle);
-    PlanContext planContext(NrdUserPool& userPool);
+    CopyContext copyContext() { return {m_views, m_retired, m_desc.layoutPolicy, m_frame}; }
+    /// Ends the dump where a capture cannot hold what this call has.
+    bool isDumped(rhi::Span<const Identifier> identifiers);
+    std::vector<dump::DumpedImage> dumpedImages(rhi::Span<const Identifier> identifiers, NrdUserPool& userPool);
+    /// Plans the copies and enters the states in which they leave their images.
+    void planDump(rhi::Span<const Identifier> identifiers, NrdUserPool& userPool);
+    PlanContext planContext(NrdUserPool& userPool, const NrdUserPool& arrival);
+    FrameSets& frameSets() { return m_frameSets[static_cast<size_t>(m_frame % m_desc.framesInFlight)]; }
+    /// Recording also tells the host of each pass, so that it cannot be skipped.
+    bool isObserved() const { return m_desc.isGpuTimingEnabled || m_desc.isPassTracingEnabled; }
+    /// The dispatches of this frame, asked for at most once: they advance the history.
+    rhi::Span<const DispatchDesc> request(rhi::Span<const Identifier> identifiers);
+    void finishCall(rhi::Span<const Identifier> identifiers, size_t dispatchCount);
     rhi::CommandBuffer& wrap(VkCommandBuffer commandBuffer);
 
     rhi::Device& m_device;
@@ -98,6 +118,13 @@ private:
     size_t m_nextWrapped = 0;
 
     std::unique_ptr<Diagnosis> m_diagnosis; // null: not asked for
+
+    std::unique_ptr<dump::InputDump> m_dump; // null: not asked for, or all is written
+
+    Recordings m_recordings;
+    // Asked for by repeat(), for the denoise() that records them; valid while the library is asked for no others.
+    std::vector<Identifier> m_requested;
+    rhi::Span<const DispatchDesc> m_requestedDispatches;
 
     uint64_t m_frame = 0;         // NewFrame() calls
     uint64_t m_settingsFrame = 0; // of the last common settings, 0 = none since creation or resize

@@ -13,16 +13,68 @@ void Core::denoise(VkCommandBuffer commandBuffer, rhi::Span<const Identifier> id
     checkRequest(identifiers, userPool);
     if (identifiers.empty()) return;
     rhi::CommandBuffer& commands = wrap(commandBuffer);
+    rhi::Span<const DispatchDesc> dispatches;
+    // Puts the states back that a dump has entered, if planning fails; also what they are restored to.
+    const NrdUserPool arrival = userPool;
+    const bool hasDump = isDumped(identifiers);
+    try
+    {
+        if (hasDump) planDump(identifiers, userPool); // first, as its failure breaks no history
+        dispatches = request(identifiers);
+        m_planner->plan(planContext(userPool, arrival), dispatches, options);
+    }
+    catch (...)
+    {
+        userPool = arrival;
+        throw;
+    }
+    if (hasDump) m_dump->record(commands, copyContext());
+    record(commands, m_planner->latest(), description(), {*m_timer, *m_trace}, m_desc.name);
+    const bool isRepeatable = options.recording != 0 && !hasDump && !isObserved();
+    if (isRepeatable)
+        m_recordings.keep(options.recording, m_planner->latest());
+    else
+        m_recordings.forget(options.recording);
+    finishCall(identifiers, dispatches.size());
+}
+
+bool Core::repeat(rhi::Span<const Identifier> identifiers, NrdUserPool& userPool, const DenoiseOptions& options)
+{
+    if (options.recording == 0)
+        throw Refusal(Result::INVALID_ARGUMENT, "options.recording is 0, must be the number that Denoise() was given");
+    checkRequest(identifiers, userPool);
+    if (identifiers.empty()) return true;
+    const Plan* const kept = m_recordings.find(options.recording);
+    if (!kept || isObserved() || isDumped(identifiers)) return false;
+    const rhi::Span<const DispatchDesc> dispatches = request(identifiers);
+    m_requested.assign(identifiers.begin(), identifiers.end());
+    m_requestedDispatches = dispatches;
+    if (!m_planner->plan(planContext(userPool, userPool), dispatches, options, kept)) return false;
+    finishCall(identifiers, dispatches.size());
+    return true;
+}
+
+rhi::Span<const DispatchDesc> Core::request(rhi::Span<const Identifier> identifiers)
+{
+    const bool isKnown = !m_requested.empty() &&
+                         std::equal(identifiers.begin(), identifiers.end(), m_requested.begin(), m_requested.end());
+    if (isKnown) return m_requestedDispatches;
+    m_requested.clear();
     const bool isRepaired = repairHistory(identifiers);
     const DispatchDesc* dispatches = nullptr;
     uint32_t dispatchCount = 0;
     check(GetComputeDispatches(*m_instance, identifiers.data(), static_cast<uint32_t>(identifiers.size()), dispatches,
                                dispatchCount));
-    for (const Identifier identifier : identifiers) find(identifier).isHistoryBroken = true; // until it is recorded
+    for (const Identifier identifier : identifiers)
+        find(identifier).isHistoryBroken = true;                     // until it is recorded or repeated
     if (isRepaired) check(SetCommonSettings(*m_instance, m_common)); // other identifiers of this frame keep theirs
-    const Plan& plan = m_planner->plan(planContext(userPool), dispatches, dispatchCount, options);
-    record(commands, plan, description(), {*m_timer, *m_trace}, m_desc.name);
-    m_dispatchesLeft -= std::min(m_dispatchesLeft, dispatchCount);
+    return {dispatches, dispatchCount};
+}
+
+void Core::finishCall(rhi::Span<const Identifier> identifiers, size_t dispatchCount)
+{
+    m_requested.clear();
+    m_dispatchesLeft -= std::min(m_dispatchesLeft, static_cast<uint32_t>(dispatchCount));
     for (const Identifier identifier : identifiers)
     {
         DenoiserState& denoiser = find(identifier);
@@ -87,11 +139,10 @@ bool Core::repairHistory(rhi::Span<const Identifier> identifiers)
     return true;
 }
 
-PlanContext Core::planContext(NrdUserPool& userPool)
+PlanContext Core::planContext(NrdUserPool& userPool, const NrdUserPool& arrival)
 {
-    const size_t slot = static_cast<size_t>(m_frame % m_desc.framesInFlight);
-    return {m_device,  description(),     m_pipelines, *m_constants,        *m_pools, m_views,
-            m_retired, m_frameSets[slot], userPool,    m_desc.layoutPolicy, m_frame};
+    return {m_device,    description(), m_pipelines, *m_constants,        *m_pools, m_views, m_retired,
+            frameSets(), userPool,      arrival,     m_desc.layoutPolicy, m_frame};
 }
 
 rhi::CommandBuffer& Core::wrap(VkCommandBuffer commandBuffer)

@@ -53,10 +53,10 @@ void checkStates(const std::vector<DiagnosedImage>& images)
 {
     for (const DiagnosedImage& a : images)
         for (const DiagnosedImage& b : images)
-            if (a.image->image == b.image->image && a.image->state != b.image->state)
-                throw Refusal(
-                    Result::INVALID_ARGUMENT,
-                    sentence("%s and %s: one image in two states (layout, access or stages differ)", a.name, b.name));
+            if (a.source.image->image == b.source.image->image && a.source.image->state != b.source.image->state)
+                throw Refusal(Result::INVALID_ARGUMENT,
+                              sentence("%s and %s: one image in two states (layout, access or stages differ)",
+                                       a.source.name, b.source.name));
 }
 } // namespace
 
@@ -78,7 +78,7 @@ std::vector<DiagnosedImage> Core::diagnosedImages(NrdUserPool& userPool, NrdDiag
             if (userPool[slot.type].image == VK_NULL_HANDLE) break; // its rules rest
             const std::string error = findError(userPool[slot.type], *need, rules, toString(denoiser.desc.denoiser));
             if (!error.empty()) throw Refusal(Result::INVALID_ARGUMENT, error);
-            images.push_back({toString(slot.type), &userPool[slot.type], slot.texels});
+            images.push_back({{toString(slot.type), &userPool[slot.type]}, slot.texels});
             break;
         }
     if (images.empty() || images[0].texels != &DoctorFrame::viewZ)
@@ -89,7 +89,7 @@ std::vector<DiagnosedImage> Core::diagnosedImages(NrdUserPool& userPool, NrdDiag
         if (!extra || (extra->*row.image).image == VK_NULL_HANDLE) continue;
         const std::string error = findExtraError(extra->*row.image, row.name, rules.width, rules.height);
         if (!error.empty()) throw Refusal(Result::INVALID_ARGUMENT, error);
-        images.push_back({row.name, &(extra->*row.image), row.texels});
+        images.push_back({{row.name, &(extra->*row.image)}, row.texels});
     }
     checkStates(images);
     return images;
@@ -115,12 +115,12 @@ void Core::recordDiagnosis(VkCommandBuffer commandBuffer, NrdUserPool& userPool,
     for (const DenoiserState& denoiser : m_denoisers)
         if (const ReblurSettings* settings = std::get_if<ReblurSettings>(&denoiser.settings))
             input.hitDistanceParameters = settings->hitDistanceParameters;
-    m_diagnosis->record(wrap(commandBuffer), {m_views, m_retired, m_desc.layoutPolicy, m_frame}, input, images);
+    m_diagnosis->record(wrap(commandBuffer), copyContext(), input, images);
     for (uint32_t i = 0; i < NrdUserPool::kSlotsNum; i++) // the same image may be in slots that were not looked at
         for (const DiagnosedImage& diagnosed : images)
         {
             NrdUserImage& image = userPool[static_cast<ResourceType>(i)];
-            if (image.image == diagnosed.image->image) image.state = diagnosed.image->state;
+            if (image.image == diagnosed.source.image->image) image.state = diagnosed.source.image->state;
         }
 }
 

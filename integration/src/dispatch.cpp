@@ -18,7 +18,37 @@ bool canRestore(VkImageLayout layout)
 {
     return layout != VK_IMAGE_LAYOUT_UNDEFINED && layout != VK_IMAGE_LAYOUT_PREINITIALIZED;
 }
+
+bool isSameDispatch(const PlannedDispatch& a, const PlannedDispatch& b)
+{
+    return a.pipeline == b.pipeline && a.constants == b.constants && a.constantsOffset == b.constantsOffset &&
+           a.resources == b.resources && a.textureBarrierEnd == b.textureBarrierEnd &&
+           a.bufferBarrierEnd == b.bufferBarrierEnd && a.groups[0] == b.groups[0] && a.groups[1] == b.groups[1] &&
+           a.indirect == b.indirect && a.indirectOffset == b.indirectOffset;
+}
+
+bool isSameTextureBarrier(const rhi::TextureBarrier& a, const rhi::TextureBarrier& b)
+{
+    return a.texture == b.texture && a.before == b.before && a.after == b.after; // always of all mips
+}
+
+bool isSameBufferBarrier(const rhi::BufferBarrier& a, const rhi::BufferBarrier& b)
+{
+    return a.buffer == b.buffer && a.before.access == b.before.access && a.before.stages == b.before.stages &&
+           a.after.access == b.after.access && a.after.stages == b.after.stages;
+}
 } // namespace
+
+bool isSame(const Plan& a, const Plan& b)
+{
+    return a.sets == b.sets && a.setsGeneration == b.setsGeneration &&
+           std::equal(a.dispatches.begin(), a.dispatches.end(), b.dispatches.begin(), b.dispatches.end(),
+                      isSameDispatch) &&
+           std::equal(a.textureBarriers.begin(), a.textureBarriers.end(), b.textureBarriers.begin(),
+                      b.textureBarriers.end(), isSameTextureBarrier) &&
+           std::equal(a.bufferBarriers.begin(), a.bufferBarriers.end(), b.bufferBarriers.begin(),
+                      b.bufferBarriers.end(), isSameBufferBarrier);
+}
 
 void Plan::clear()
 {
@@ -29,8 +59,8 @@ void Plan::clear()
 
 Planner::Planner(uint32_t maxResourceCount) { m_writes.reserve(maxResourceCount); }
 
-const Plan& Planner::plan(const PlanContext& context, const DispatchDesc* dispatches, uint32_t dispatchCount,
-                          const DenoiseOptions& options)
+bool Planner::plan(const PlanContext& context, rhi::Span<const DispatchDesc> dispatches, const DenoiseOptions& options,
+                   const Plan* expected)
 {
     // Puts the states back if planning fails half-way; dismissed at the end.
     struct Rollback
@@ -53,14 +83,18 @@ const Plan& Planner::plan(const PlanContext& context, const DispatchDesc* dispat
     m_savedStates = context.pools.states;
     m_savedBufferStates = context.pools.bufferStates;
     context.sets.beginCall();
+    m_plan.sets = &context.sets;
+    m_plan.setsGeneration = context.sets.generation();
     Rollback rollback{*this, context.pools, context.constants};
 
     enterUserStates(context);
-    for (uint32_t i = 0; i < dispatchCount; i++) planDispatch(context, dispatches[i]);
-    leaveUserStates(context, options);
+    for (const DispatchDesc& dispatch : dispatches) planDispatch(context, dispatch);
+    if (options.restoreInitialStates) restoreUserStates(context);
+    if (expected && !isSame(m_plan, *expected)) return false;
+    leaveUserStates(context);
     rollback.isArmed = false;
     context.sets.endCall();
-    return m_plan;
+    return true;
 }
 
 void Planner::enterUserStates(const PlanContext& context)
@@ -69,29 +103,34 @@ void Planner::enterUserStates(const PlanContext& context)
     for (uint32_t i = 0; i < NrdUserPool::kSlotsNum; i++)
     {
         const NrdUserImage& image = context.userPool[slotAt(i)];
-        m_slots[i] = {nullptr, first + i, toRhi(image.state)};
+        m_slots[i] = {nullptr, first + i, toRhi(context.arrival[slotAt(i)].state)};
         if (image.image == VK_NULL_HANDLE) continue;
         for (uint32_t j = 0; j < i; j++)
             if (context.userPool[slotAt(j)].image == image.image)
                 m_slots[i].state = std::min(m_slots[i].state, first + j);
-        context.pools.states.setState(m_slots[i].state, m_slots[i].initial);
+        context.pools.states.setState(m_slots[i].state, toRhi(image.state));
     }
 }
 
-void Planner::leaveUserStates(const PlanContext& context, const DenoiseOptions& options)
+void Planner::restoreUserStates(const PlanContext& context)
 {
     const uint32_t first = poolTextureCount(context.pools);
     StateTracker& states = context.pools.states;
     m_plan.textureBarriers.reserve(m_plan.textureBarriers.size() + NrdUserPool::kSlotsNum);
-    for (uint32_t i = 0; options.restoreInitialStates && i < NrdUserPool::kSlotsNum; i++)
+    for (uint32_t i = 0; i < NrdUserPool::kSlotsNum; i++)
     {
         const UserSlot& slot = m_slots[i];
         const rhi::TextureState left = states.state(slot.state);
         if (slot.state != first + i || left == slot.initial) continue; // done under its first slot, or as it came
-        if (!canRestore(context.userPool[slotAt(i)].state.layout)) continue;
+        if (!canRestore(context.arrival[slotAt(i)].state.layout)) continue;
         m_plan.textureBarriers.push_back({&textureOf(context, slot.state), left, slot.initial});
         states.setState(slot.state, slot.initial);
     }
+}
+
+void Planner::leaveUserStates(const PlanContext& context) const
+{
+    const StateTracker& states = context.pools.states;
     for (uint32_t i = 0; i < NrdUserPool::kSlotsNum; i++)
     {
         NrdUserImage& image = context.userPool[slotAt(i)];
@@ -175,8 +214,8 @@ void Planner::planDescriptors(const PlanContext& context, const DispatchDesc& di
         }
         m_writes.push_back(write);
     }
-    planned.resources = &context.sets.take(*planned.pipeline, context.instance.resourcesSet, m_writes,
-                                           context.views.generation());
+    planned.resources =
+        &context.sets.take(*planned.pipeline, context.instance.resourcesSet, m_writes, context.views.generation());
 }
 
 void Planner::planConstants(const PlanContext& context, const DispatchDesc& dispatch, PlannedDispatch& planned)

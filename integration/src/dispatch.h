@@ -32,9 +32,13 @@ struct Plan
     std::vector<PlannedDispatch> dispatches;
     std::vector<rhi::TextureBarrier> textureBarriers;
     std::vector<rhi::BufferBarrier> bufferBarriers;
+    const FrameSets* sets = nullptr; // that the resources are of
+    uint64_t setsGeneration = 0;     // of them
 
     void clear();
 };
+/// Recorded, both give the same commands.
+bool isSame(const Plan& a, const Plan& b);
 
 /// What planning reads and takes from; all borrowed for one call.
 struct PlanContext
@@ -48,6 +52,7 @@ struct PlanContext
     RetireQueue& retired;
     FrameSets& sets; // of the frame
     NrdUserPool& userPool;
+    const NrdUserPool& arrival; // states to restore
     LayoutPolicy layoutPolicy;
     uint64_t frame;
 };
@@ -57,9 +62,11 @@ class Planner
 public:
     explicit Planner(uint32_t maxResourceCount); // of a dispatch
 
-    /// Throws a Refusal or rhi::Error; the user pool and the states of the pools are then as before.
-    const Plan& plan(const PlanContext& context, const DispatchDesc* dispatches, uint32_t dispatchCount,
-                     const DenoiseOptions& options);
+    /// False if the plan is not the `expected` one, where there is such. Then, and where a Refusal or rhi::Error is
+    /// thrown, the user pool and the states of the pools are as before.
+    bool plan(const PlanContext& context, rhi::Span<const DispatchDesc> dispatches, const DenoiseOptions& options,
+              const Plan* expected = nullptr);
+    const Plan& latest() const { return m_plan; }
 
 private:
     struct UserSlot
@@ -70,7 +77,8 @@ private:
     };
 
     void enterUserStates(const PlanContext& context);
-    void leaveUserStates(const PlanContext& context, const DenoiseOptions& options);
+    void restoreUserStates(const PlanContext& context);
+    void leaveUserStates(const PlanContext& context) const;
     void planDispatch(const PlanContext& context, const DispatchDesc& dispatch);
     void planBarriers(const PlanContext& context, const DispatchDesc& dispatch);
     void planBufferUse(const PlanContext& context, uint32_t buffer, const rhi::BufferState& after);

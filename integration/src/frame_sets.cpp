@@ -53,6 +53,7 @@ void FrameSets::beginCall()
 void FrameSets::dropIfMany()
 {
     if (m_writes.size() <= kKeptFrames * m_frameWriteCount) return;
+    m_generation++;
     m_pool->reset();
     m_entries.clear();
     m_writes.clear();

@@ -16,6 +16,8 @@ public:
     /// Takes back what a call that failed has taken in this frame. Throws rhi::Error.
     void beginCall();
     void endCall() { m_kept = m_taken; }
+    /// Changes when sets are taken from what was recorded with them.
+    uint64_t generation() const { return m_generation; }
 
     /// A set that no other dispatch of the frame has. `generation` of the views: sets of another one are never bound
     /// again, for a new view may have the address of an old one. Throws rhi::Error.
@@ -42,5 +44,6 @@ private:
     std::vector<rhi::DescriptorWrite> m_writes;
     size_t m_taken = 0;
     size_t m_kept = 0; // taken by calls that succeeded
+    uint64_t m_generation = 0;
 };
 } // namespace nrd

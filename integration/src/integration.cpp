@@ -26,6 +26,14 @@ struct NrdIntegration::Impl
     MessageSink sink;
     char message[512] = "";
 
+    ~Impl() { writeDump(true); }
+
+    /// What cannot be written is told, and does no harm to the call that has tried.
+    void writeDump(bool isGpuIdle)
+    {
+        if (core) (void)guarded("DumpInputs", [&] { core->writeDump(isGpuIdle); });
+    }
+
     Result fail(Result result, const char* text, const char* more = "")
     {
         std::snprintf(message, sizeof(message), "%s%s", text, more);
@@ -163,7 +171,9 @@ Result NrdIntegration::Resize(uint16_t resourceWidth, uint16_t resourceHeight)
 
 Result NrdIntegration::NewFrame()
 {
-    return Impl::withCore(m_impl.get(), "NewFrame", [](Core& core) { core.newFrame(); });
+    const Result result = Impl::withCore(m_impl.get(), "NewFrame", [](Core& core) { core.newFrame(); });
+    if (result == Result::SUCCESS) m_impl->writeDump(false);
+    return result;
 }
 
 Result NrdIntegration::SetCommonSettings(const CommonSettings& settings)
@@ -203,6 +213,23 @@ Result NrdIntegration::Denoise(VkCommandBuffer commandBuffer, const Identifier* 
                               core.denoise(commandBuffer, {identifiers, identifiersNum}, userPool, options);
                           });
 }
+
+Result NrdIntegration::Repeat(const Identifier* identifiers, uint32_t identifiersNum, NrdUserPool& userPool,
+                              const DenoiseOptions& options, bool& isRecordingNeeded)
+{
+    isRecordingNeeded = true;
+    return Impl::withCore(m_impl.get(), "Repeat",
+                          [&](Core& core) {
+                              isRecordingNeeded = !core.repeat({identifiers, identifiersNum}, userPool, options);
+                          });
+}
+
+Result NrdIntegration::DumpInputs(const char* folder, uint32_t framesNum)
+{
+    return Impl::withCore(m_impl.get(), "DumpInputs", [&](Core& core) { core.dumpInputs(folder, framesNum); });
+}
+
+bool NrdIntegration::IsDumping() const { return IsCreated() && m_impl->core->isDumping(); }
 
 Result NrdIntegration::RecordDiagnosis(VkCommandBuffer commandBuffer, NrdUserPool& userPool, NrdDiagnosisImages* images)
 {

@@ -190,6 +190,8 @@ void Session::record(Slot& slot, size_t denoiser, const options::Frame& frame)
     const VkCommandBuffer commands = rhi::vulkanCommandBuffer(*slot.commands);
     if (m_desc.isDiagnosed && denoiser == 0)
         make("RecordDiagnosis", [&] { return integration.RecordDiagnosis(commands, pool); });
+    if (m_desc.dumpFolder && !integration.IsDumping())
+        make("DumpInputs", [&] { return integration.DumpInputs(m_desc.dumpFolder, 1); });
     const nrd::Identifier chosen = identifier(denoiser);
     nrd::DenoiseOptions denoiseOptions;
     denoiseOptions.restoreInitialStates = true;

@@ -18,8 +18,9 @@ struct SessionDesc
     bool isGpuTimingEnabled = false;
     bool isPassTracingEnabled = false;
     bool createDefaultPipelines = false;
-    bool hasOldBarriers = false; // those of Vulkan 1.0
-    bool isDiagnosed = false;    // each frame of the first denoiser, by a doctor of its own
+    bool hasOldBarriers = false;      // those of Vulkan 1.0
+    bool isDiagnosed = false;         // each frame of the first denoiser, by a doctor of its own
+    const char* dumpFolder = nullptr; // where each frame's inputs go, by a call of its own; null: nowhere
 };
 
 /// What one frame's denoisers wrote, in their order.

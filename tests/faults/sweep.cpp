@@ -2,6 +2,7 @@
 #include "catch.h"
 #include "long_form.h"
 #include "validated_device.h"
+#include <filesystem>
 #include <map>
 
 namespace faults
@@ -167,5 +168,26 @@ void sweepDiagnosis(Injector& injector, const SessionDesc& desc)
                      (void)session.finish();
                      session.diagnose();
                  });
+}
+
+void sweepDump(Injector& injector, const SessionDesc& desc)
+{
+    SessionDesc dumped = desc;
+    const std::string folder = (std::filesystem::temp_directory_path() / "nrd-test-faults-dump").string();
+    dumped.dumpFolder = folder.c_str();
+    Session session(dumped);
+    injector.attach(session);
+    session.create();
+    int index = 0;
+    session.frame(index++);
+    (void)session.finish();
+    forEachFault(injector,
+                 [&](size_t)
+                 {
+                     session.frame(index++);
+                     (void)session.finish();
+                 });
+    session.destroy();
+    std::filesystem::remove_all(folder);
 }
 } // namespace faults

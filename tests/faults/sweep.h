@@ -25,6 +25,8 @@ void sweepResizing(Injector& injector, const SessionDesc& desc);
 void sweepFrames(Injector& injector, const SessionDesc& desc);
 void sweepFirstFrame(Injector& injector, const SessionDesc& desc); // which makes the pipelines; a session per fault
 void sweepDiagnosis(Injector& injector, const SessionDesc& desc);
+/// Frames whose inputs are dumped, each in turn.
+void sweepDump(Injector& injector, const SessionDesc& desc);
 
 /// The last of a few frames after a restart: equal for all sessions of this description, whatever they went through.
 Outputs restart(Session& session);

@@ -123,6 +123,9 @@ struct DenoiseOptions
     /// One more batch of barriers takes every image back to the state it came in; those that came in UNDEFINED stay
     /// where they are. Otherwise the entries tell the states, from which the application goes on.
     bool restoreInitialStates = false;
+    /// Not 0: the application's number for what this call records, for Repeat(). What had the number before is
+    /// forgotten.
+    uint32_t recording = 0;
 };
 
 /// Device memory as allocated, in bytes.
@@ -189,8 +192,8 @@ public:
     /// Once per frame, before all else; the GPU must have finished the frame `framesInFlight` calls ago.
     Result NewFrame();
 
-    /// At least once between NewFrame() and Denoise(). Refuses a frame index that stands still since the last frame,
-    /// and a resource size other than the one of Create() or Resize().
+    /// At least once between NewFrame() and Denoise(); with several views, before each one's Denoise(). Refuses a frame
+    /// index that stands still since the last frame, and a resource size other than the one of Create() or Resize().
     Result SetCommonSettings(const CommonSettings& settings);
 
     /// Copied; kept until set again, also across Resize().
@@ -204,6 +207,28 @@ public:
     /// that a denoiser needs is empty, its image lacks usage, channels or size, or has two states.
     Result Denoise(VkCommandBuffer commandBuffer, const Identifier* identifiers, uint32_t identifiersNum,
                    NrdUserPool& userPool, const DenoiseOptions& options = {});
+
+    /// For command buffers that are recorded once. In place of Denoise() with the same arguments: makes this frame's
+    /// constants and history ready for what Denoise() recorded under `options.recording`, without recording.
+    /// `isRecordingNeeded` is false: submit that command buffer once, as if it had been recorded now; the entries of
+    /// `userPool` tell the states it leaves. True: this frame's dispatches, images, states or place in the ring are
+    /// others, nothing has changed but that Denoise() must be called with the same arguments before the frame ends.
+    /// Settings that change constants only never need recording. A frame's history lies in one of `historyPeriod`
+    /// places (see DenoiserInfo) and its constants in one of `framesInFlight`, so an application keeps a command buffer
+    /// for each frame modulo their least common multiple. Always true with isGpuTimingEnabled, isPassTracingEnabled and
+    /// while DumpInputs() is at work. Errors as of Denoise().
+    Result Repeat(const Identifier* identifiers, uint32_t identifiersNum, NrdUserPool& userPool,
+                  const DenoiseOptions& options, bool& isRecordingNeeded);
+
+    /// Writes the inputs of Denoise() in the next `framesNum` [1; 10000] frames to a folder, which is made, as a
+    /// capture: what nrd-replay takes and a bug report needs. Denoise() records copies; the files are written by
+    /// NewFrame() when the GPU has certainly finished a frame, and by Destroy(). Signals are unpacked to radiance,
+    /// distances and directions; those in checkerboard, confidences, the disocclusion threshold mix and denoisers of a
+    /// lower resolution are left out, and of a local light the position is not kept. 100 bytes of disk and 16 of
+    /// host memory per image and frame in flight, both per pixel. Where it ends early, capture.json has a note; a file
+    /// that cannot be written is told to the message sink. INVALID_ARGUMENT, also while IsDumping(); FAILURE.
+    Result DumpInputs(const char* folder, uint32_t framesNum);
+    bool IsDumping() const; // frames are still to come or to be written
 
     /// For bring-up: records copies of the inputs, for Diagnose() to find what is wrong with them. Once per frame,
     /// after SetCommonSettings(), in place of Denoise() or before it; slots that are empty or that no denoiser of the
