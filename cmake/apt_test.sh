@@ -17,8 +17,7 @@ rm -rf "$root/tmp/nrd"
 mkdir -p "$root/tmp/nrd"
 cp "$work"/packages/*.deb tests/package/* "$root/tmp/nrd/"
 
-chroot "$root" bash -euo pipefail -c '
-export DEBIAN_FRONTEND=noninteractive PATH=/usr/sbin:/usr/bin:/sbin:/bin
+env -i DEBIAN_FRONTEND=noninteractive PATH=/usr/sbin:/usr/bin:/sbin:/bin chroot "$root" bash -euo pipefail -c '
 cd /tmp/nrd
 apt-get update -qq
 apt-get install -y -qq --no-install-recommends ./nrd*.deb > install.log 2>&1 || { tail install.log; exit 1; }

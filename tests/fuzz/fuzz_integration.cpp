@@ -284,15 +284,24 @@ void Calls::denoise()
     if (m_reader.below(8) == 0) m_device->failCreation(1 + m_reader.below(16));
     DenoiseOptions options;
     options.restoreInitialStates = m_reader.flag();
+    options.recording = m_reader.below(4);
     m_device->clearCalls();
-    const Result result =
-        m_integration.Denoise(commandBufferOf(m_reader.below(20)), m_reader.below(16) == 0 ? nullptr : identifiers,
-                              identifierNum, pool, options);
-    if (result != Result::SUCCESS)
+    bool isRepeated = false, isRecordingNeeded = false;
+    Result result = Result::SUCCESS;
+    if (m_reader.below(4) == 0)
     {
+        result = m_integration.Repeat(identifiers, identifierNum, pool, options, isRecordingNeeded);
+        isRepeated = result != Result::SUCCESS || !isRecordingNeeded;
+    }
+    if (!isRepeated)
+        result = m_integration.Denoise(commandBufferOf(m_reader.below(20)),
+                                       m_reader.below(16) == 0 ? nullptr : identifiers, identifierNum, pool, options);
+    if (result != Result::SUCCESS || isRepeated)
         for (const rhi::RecordedCall& call : m_device->calls())
             require(call.type != rhi::CallType::Dispatch && call.type != rhi::CallType::Barriers,
-                    "a refused call records nothing");
+                    "a refused call records nothing, nor does one that repeats");
+    if (result != Result::SUCCESS)
+    {
         for (uint32_t i = 0; i < NrdUserPool::kSlotsNum; i++)
             require(pool[static_cast<ResourceType>(i)].state == before[static_cast<ResourceType>(i)].state,
                     "a refused call changes no state");

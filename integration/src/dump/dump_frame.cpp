@@ -34,22 +34,30 @@ struct Unpacking
         values.resize(size_t{width} * height);
         return values;
     }
+    bool isLarge(const SlotTexels& slot) const // as the rectangle, wherever it lies
+    {
+        const uint16_t* const origin = frame.common.rectOrigin;
+        return slot.context.width >= width + origin[0] && slot.context.height >= height + origin[1];
+    }
+    /// Null: not handed in, or too small.
     const SlotTexels* find(ResourceType type) const
     {
         for (const SlotTexels& slot : slots)
-            if (slot.context.type == type) return &slot;
+            if (slot.context.type == type && isLarge(slot)) return &slot;
         return nullptr;
     }
-    /// Calls look(i, x, y, texel) for every pixel of the rectangle. Guides lie at rectOrigin.
-    template <class Look> void forPixels(const SlotTexels& slot, bool isGuide, Look&& look) const
+    /// Of a pixel of the rectangle. Guides lie at rectOrigin.
+    const float* texelAt(const SlotTexels& slot, bool isGuide, uint32_t x, uint32_t y) const
     {
         const uint16_t* const origin = frame.common.rectOrigin;
+        const size_t column = x + (isGuide ? origin[0] : 0u), row = y + (isGuide ? origin[1] : 0u);
+        return slot.texels + 4 * (row * slot.context.width + column);
+    }
+    /// Calls look(i, x, y, texel) for every pixel of the rectangle.
+    template <class Look> void forPixels(const SlotTexels& slot, bool isGuide, Look&& look) const
+    {
         for (uint32_t y = 0, i = 0; y < height; y++)
-            for (uint32_t x = 0; x < width; x++, i++)
-            {
-                const size_t column = x + (isGuide ? origin[0] : 0u), row = y + (isGuide ? origin[1] : 0u);
-                look(i, x, y, slot.texels + 4 * (row * slot.context.width + column));
-            }
+            for (uint32_t x = 0; x < width; x++, i++) look(i, x, y, texelAt(slot, isGuide, x, y));
     }
     /// Guides must be finite to be read back: others become `replacement`, and a note.
     void requireFinite(const char* channel, float replacement)
@@ -116,9 +124,11 @@ struct ScreenMotion
             delta = {common.cameraDelta[0], common.cameraDelta[1], common.cameraDelta[2]};
         before = doctor::Camera(common.viewToClipMatrixPrev, common.worldToViewMatrixPrev, delta);
     }
-    Vec3 toWorld(uint32_t x, uint32_t y, double viewZ, const float* mv) const
+    /// `storedZ` as in IN_VIEWZ, whose sign the difference of depths has.
+    Vec3 toWorld(uint32_t x, uint32_t y, double storedZ, const float* mv) const
     {
-        const double z = std::abs(viewZ), scaleZ = double(common.motionVectorScale[2]) * double(common.viewZScale);
+        const double viewZ = storedZ * double(common.viewZScale), z = std::abs(viewZ);
+        const double scaleZ = double(common.motionVectorScale[2]) * double(common.viewZScale);
         const double left = (x + 0.5) / u.width, top = (y + 0.5) / u.height;
         const Vec3 position = u.now.unproject(left, top, z);
         const double zBefore = scaleZ != 0.0 ? std::abs(viewZ + double(mv[2]) * scaleZ) : before.project(position).z;
@@ -142,15 +152,17 @@ void unpackMotion(Unpacking& u, const SlotTexels& slot, const std::string& layer
 {
     std::vector<float>&mx = u[layer + ".X"], &my = u[layer + ".Y"], &mz = u[layer + ".Z"];
     const std::vector<float>& viewZ = u["viewZ"];
+    const SlotTexels* const depth = u.find(ResourceType::IN_VIEWZ);
     const ScreenMotion screen(u);
     const CommonSettings& common = u.frame.common;
+    if (!depth) return; // nothing can be said of motion then
     u.forPixels(slot, true,
                 [&](size_t i, uint32_t x, uint32_t y, const float* texel)
                 {
                     if (std::abs(viewZ[i]) > common.denoisingRange) return; // sky: no denoiser looks
                     const Vec3 motion = common.isMotionVectorInWorldSpace
                                             ? worldMotion(common, texel)
-                                            : screen.toWorld(x, y, double(viewZ[i]), texel);
+                                            : screen.toWorld(x, y, double(*u.texelAt(*depth, true, x, y)), texel);
                     mx[i] = static_cast<float>(motion.x);
                     my[i] = static_cast<float>(motion.y);
                     mz[i] = static_cast<float>(motion.z);
@@ -298,12 +310,6 @@ constexpr const char* kLayers[][8] = {
     {"shadow", ".dist", ".R", ".G", ".B"},
 };
 
-bool isLarge(const SlotTexels& slot, const Unpacking& u)
-{
-    const uint16_t* const origin = u.frame.common.rectOrigin;
-    return slot.context.width >= u.width + origin[0] && slot.context.height >= u.height + origin[1];
-}
-
 void completeLayers(Unpacking& u)
 {
     for (const auto& layer : kLayers)
@@ -327,16 +333,12 @@ bool isRecorded(ResourceType type)
 Channels unpackFrame(const FrameContext& frame, const std::vector<SlotTexels>& slots, std::vector<std::string>& notes)
 {
     Unpacking u(frame, slots, notes);
+    for (const SlotTexels& slot : slots)
+        if (!u.isLarge(slot))
+            notes.push_back(sentence("%s is left out: %u x %u texels are less than the rectangle",
+                                     toString(slot.context.type), slot.context.width, slot.context.height));
     for (const Row& row : kRows)
-    {
-        const SlotTexels* const slot = u.find(row.type);
-        if (!slot) continue;
-        if (isLarge(*slot, u))
-            row.unpack(u, *slot, row.layer);
-        else
-            notes.push_back(sentence("%s is left out: %u x %u texels are less than the rectangle", toString(row.type),
-                                     slot->context.width, slot->context.height));
-    }
+        if (const SlotTexels* const slot = u.find(row.type)) row.unpack(u, *slot, row.layer);
     completeLayers(u);
     return std::move(u.channels);
 }
