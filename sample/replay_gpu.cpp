@@ -54,6 +54,17 @@ Picture pictureOf(const std::vector<float>& values, const Mask& surface, const P
 }
 } // namespace
 
+std::shared_ptr<engine::Device> createReplayDevice(const std::string& device, bool validation)
+{
+    const nrd::RequiredDeviceFeatures required = nrd::GetRequiredDeviceFeatures();
+    engine::DeviceDesc desc;
+    desc.device = device;
+    desc.validation = validation;
+    desc.features = required.features;
+    desc.extensions.assign(required.deviceExtensions, required.deviceExtensions + required.deviceExtensionsNum);
+    return std::make_shared<engine::Device>(desc);
+}
+
 ReplayGpu::ReplayGpu(const ReplayGpuDesc& desc) : m_desc(desc), m_info(desc.capture.info()), m_denoiser(desc.denoiser)
 {
     (void)settingsOfFrame(); // wrong settings are told before anything is created
@@ -61,13 +72,7 @@ ReplayGpu::ReplayGpu(const ReplayGpuDesc& desc) : m_desc(desc), m_info(desc.capt
     const nrd::Denoiser* last = library.supportedDenoisers + library.supportedDenoisersNum;
     if (std::find(library.supportedDenoisers, last, m_denoiser.denoiser) == last)
         throw engine::Error(std::string("this build of the library does not offer the denoiser ") + m_denoiser.name);
-    const nrd::RequiredDeviceFeatures required = nrd::GetRequiredDeviceFeatures();
-    engine::DeviceDesc deviceDesc;
-    deviceDesc.device = desc.device;
-    deviceDesc.validation = desc.validation;
-    deviceDesc.features = required.features;
-    deviceDesc.extensions.assign(required.deviceExtensions, required.deviceExtensions + required.deviceExtensionsNum);
-    m_device = std::make_unique<engine::Device>(deviceDesc);
+    m_device = desc.openDevice ? desc.openDevice : createReplayDevice(desc.device, desc.validation);
     m_packing = ReplayPacking(*m_device);
     createIntegration();
 }

@@ -33,10 +33,14 @@ struct ReplayGpuDesc
     bool validation = false;
     nrd::Quality preset = nrd::Quality::BALANCED;
     ShResolve resolve = ShResolve::Restore;
-    float confidence = 1.0f;      // [0; 1], of every pixel where the settings ask for it
-    float disocclusionMix = 0.0f; // [0; 1], likewise
-    bool isOverlayWanted = false; // of enableValidation
+    float confidence = 1.0f;                              // [0; 1], of every pixel where the settings ask for it
+    float disocclusionMix = 0.0f;                         // [0; 1], likewise
+    bool isOverlayWanted = false;                         // of enableValidation
+    std::shared_ptr<engine::Device> openDevice = nullptr; // of createReplayDevice(), in place of the two above
 };
+
+// A device that can run every denoiser; a driver opens only so many of them one after another. Throws engine::Error.
+std::shared_ptr<engine::Device> createReplayDevice(const std::string& device, bool validation);
 
 // What comes out of a frame.
 struct ReplayedFrame
@@ -110,7 +114,7 @@ private:
     const CaptureInfo& m_info;
     const ReplayDenoiser& m_denoiser;
     size_t m_frameIndex = 0;
-    std::unique_ptr<engine::Device> m_device;
+    std::shared_ptr<engine::Device> m_device;
     ReplayPacking m_packing;
     std::map<Layer, engine::Image> m_layers;
     std::map<std::string, engine::Image> m_extras; // that only the doctor looks at

@@ -34,8 +34,8 @@ std::map<std::string, std::vector<const ReplayDenoiser*>> groupsOf(const Options
 class Group
 {
 public:
-    Group(const Options& options, const Capture& capture, std::string name)
-        : m_options(options), m_capture(capture), m_name(std::move(name))
+    Group(const Options& options, std::shared_ptr<engine::Device> device, const Capture& capture, std::string name)
+        : m_options(options), m_device(std::move(device)), m_capture(capture), m_name(std::move(name))
     {
     }
 
@@ -59,6 +59,7 @@ private:
         std::cerr << m_capture.info().name << ", " << denoiser.name << ", " << point.name << '\n';
         ReplayGpuDesc desc{m_capture, denoiser, point.settings, m_options.device, m_options.validation};
         desc.preset = point.preset;
+        desc.openDevice = m_device;
         ReplayRun run({desc, "", m_options.frameCount});
         ReplayReport report = run.run(showProgress);
         run.checkValidation();
@@ -75,6 +76,7 @@ private:
     }
 
     const Options& m_options;
+    const std::shared_ptr<engine::Device> m_device;
     const Capture& m_capture;
     const std::string m_name;
     std::vector<Row> m_rows;
@@ -84,14 +86,16 @@ private:
 std::vector<Row> measure(const Options& options)
 {
     std::vector<Row> rows;
+    std::shared_ptr<engine::Device> device; // opened when there is something to measure
     for (const std::string& folder : options.captures)
     {
         const Capture capture = Capture::open(folder);
         const auto groups = groupsOf(options, capture);
         if (groups.empty()) throw SettingError(folder + " has the layers of none of the denoisers");
+        if (!device) device = createReplayDevice(options.device, options.validation);
         for (const auto& [name, denoisers] : groups)
         {
-            Group group(options, capture, name);
+            Group group(options, device, capture, name);
             for (const ReplayDenoiser* denoiser : denoisers) group.add(*denoiser);
             const std::vector<Row> measured = group.take();
             rows.insert(rows.end(), measured.begin(), measured.end());
