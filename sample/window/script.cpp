@@ -14,7 +14,7 @@ constexpr VerbRow kVerbs[] = {
     {Verb::Scene,        "scene",        ArgumentKind::Text,    "FILE|NAME", "load a glTF file or a built-in scene"},
     {Verb::Environment,  "environment",  ArgumentKind::Text,    "FILE",      "load a .hdr or .exr picture"},
     {Verb::Drop,         "drop",         ArgumentKind::Text,    "FILE",      "as if the file were dropped there"},
-    {Verb::Denoiser,     "denoiser",     ArgumentKind::Text,    "A[,B]", "as --denoiser; B: compare"},
+    {Verb::Denoiser,     "denoiser",     ArgumentKind::Text,    "A[,B]",     "as --denoiser; B: compare"},
     {Verb::Set,          "set",          ArgumentKind::Text,    "KEY=VALUE", "a setting of the left side"},
     {Verb::Reset,        "reset",        ArgumentKind::None,    "",          "all settings to their defaults"},
     {Verb::View,         "view",         ArgumentKind::Text,    "NAME",      "what is shown, as the panel names it"},
