@@ -90,8 +90,7 @@ void DenoiseStage::createImages()
     m_composed = create("composed", VK_FORMAT_R32G32B32A32_SFLOAT);
     const SampleDenoiser& denoiser = *m_desc.set.lobes;
     if (denoiser.family == Family::Reference) m_signal = create("composed noisy", VK_FORMAT_R32G32B32A32_SFLOAT);
-    if (m_desc.hasOverlay && !m_desc.set.isNone())
-        m_overlay = create("validation overlay", VK_FORMAT_R8G8B8A8_UNORM);
+    if (m_desc.hasOverlay && !m_desc.set.isNone()) m_overlay = create("validation overlay", VK_FORMAT_R8G8B8A8_UNORM);
     if (m_desc.set.shadow)
         m_shadow.emplace(m_device,
                          ShadowSignalDesc{m_desc.set.shadow->denoiser == nrd::Denoiser::SIGMA_SHADOW_TRANSLUCENCY,

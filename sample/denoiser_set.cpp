@@ -42,11 +42,24 @@ DenoiserSet parseSet(const std::string& text)
     return set;
 }
 
+constexpr std::pair<Family, const char*> kFamilyNames[] = {
+    {Family::Reblur, "REBLUR"}, {Family::Relax, "RELAX"}, {Family::Sigma, "SIGMA"}, {Family::Reference, "REFERENCE"}};
+
+// The field of the family that the key reaches, "SIGMA.x" only SIGMA's; empty: it is for another family.
+std::string fieldOf(Family family, const std::string& key)
+{
+    for (const auto& [owner, name] : kFamilyNames)
+        if (key.rfind(std::string(name) + ".", 0) == 0)
+            return owner == family ? key.substr(std::string(name).size() + 1) : std::string();
+    return key;
+}
+
 bool hasSetting(Family family, const std::string& key)
 {
     ReplaySettings settings;
     const std::vector<SettingField> fields = settingFields(settings, family);
-    return std::any_of(fields.begin(), fields.end(), [&](const SettingField& field) { return field.name == key; });
+    const std::string name = fieldOf(family, key);
+    return std::any_of(fields.begin(), fields.end(), [&](const SettingField& field) { return field.name == name; });
 }
 
 void addOnce(std::vector<Family>& families, Family family)
@@ -74,6 +87,13 @@ std::vector<Family> DenoiserSet::families() const
     return all;
 }
 
+std::string qualified(Family family, const std::string& name)
+{
+    for (const auto& [owner, prefix] : kFamilyNames)
+        if (owner == family) return std::string(prefix) + "." + name;
+    return name;
+}
+
 std::vector<DenoiserSet> parseDenoiserSets(const std::string& text)
 {
     std::vector<DenoiserSet> sets;
@@ -95,13 +115,18 @@ std::vector<Family> familiesOf(const std::vector<DenoiserSet>& sets)
     return all;
 }
 
+bool hasSetting(const std::vector<Family>& families, const std::string& key)
+{
+    return std::any_of(families.begin(), families.end(), [&](Family family) { return hasSetting(family, key); });
+}
+
 bool isCommonSetting(const std::string& key) { return hasSetting(Family::None, key); }
 
 void checkRanges(ReplaySettings& settings, const std::vector<Family>& families, const std::string& key)
 {
     for (Family family : families)
         for (const SettingField& field : settingFields(settings, family))
-            if (field.name == key && !isInRange(field))
+            if (field.name == fieldOf(family, key) && !isInRange(field))
                 throw SettingError("--set " + key + "=" + valueText(field) + ": expected " + rangeText(field.range));
 }
 
@@ -113,8 +138,9 @@ void applySettings(ReplaySettings& settings, const std::vector<Family>& families
         std::vector<Family> knowing;
         std::copy_if(families.begin(), families.end(), std::back_inserter(knowing),
                      [&](Family family) { return hasSetting(family, assignment.first); });
-        if (knowing.empty()) knowing = {families.front()}; // which says so
-        for (Family family : knowing) applySettings(settings, family, {assignment});
+        if (knowing.empty()) applySettings(settings, families.front(), {assignment}); // which says so
+        for (Family family : knowing)
+            applySettings(settings, family, {{fieldOf(family, assignment.first), assignment.second}});
     }
 }
 } // namespace sample

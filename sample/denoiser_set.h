@@ -28,8 +28,14 @@ std::vector<Family> familiesOf(const std::vector<DenoiserSet>& sets);
 /// A field of CommonSettings, which every family has.
 bool isCommonSetting(const std::string& key);
 
+/// One of the families has a setting that the key reaches.
+bool hasSetting(const std::vector<Family>& families, const std::string& key);
+
 /// Throws SettingError when the field of that name holds a value out of its range.
 void checkRanges(ReplaySettings& settings, const std::vector<Family>& families, const std::string& key);
+
+/// The key that reaches only that family's setting of a name that others have, too: "SIGMA.maxStabilizedFrameNum".
+std::string qualified(Family family, const std::string& name);
 
 /// Each assignment for every family that has the setting. Throws SettingError where none has, or for a bad value.
 void applySettings(ReplaySettings& settings, const std::vector<Family>& families,

@@ -156,8 +156,10 @@ void Viewer::followSides()
         const DenoiserSet& now = state.sides[i].set;
         const DenoiserSet& before = m_applied.sides[i].set;
         const bool isNew = !wasThere || now.name() != before.name();
-        if (isNew && wasThere && now.lobes->family != before.lobes->family)
-            std::erase_if(state.sides[i].settings, [](const Assignment& a) { return !isCommonSetting(a.first); });
+        const bool isOther = wasThere && now.lobes->family != before.lobes->family; // other meanings, other ranges
+        if (isNew)
+            std::erase_if(state.sides[i].settings, [&](const Assignment& a)
+                          { return isOther ? !isCommonSetting(a.first) : !hasSetting(now.families(), a.first); });
         followSide(i, isNew);
     }
 }

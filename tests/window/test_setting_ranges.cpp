@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <nrd/nrd.h>
+#include <set>
 
 using namespace sample;
 
@@ -155,6 +156,22 @@ TEST_CASE("every setting of a family is in the panel or the application's own", 
             if (field.group) CHECK(field.count == 1);
             if (field.hasRange()) CHECK(isInRange(field)); // the default
         }
+}
+
+TEST_CASE("settings of one name of two families can be set apart", "[unit]")
+{
+    const DenoiserSet set = parseDenoiserSets("REBLUR_DIFFUSE+SIGMA_SHADOW").front();
+    ReplaySettings settings;
+    applySettings(settings, set.families(), {{"REBLUR.maxStabilizedFrameNum", "200"}});
+    CHECK(settings.reblur.maxStabilizedFrameNum == 200);
+    CHECK(settings.sigma.maxStabilizedFrameNum == 8);
+    applySettings(settings, set.families(), {{"maxStabilizedFrameNum", "3"}});
+    CHECK(settings.reblur.maxStabilizedFrameNum == 3);
+    CHECK(settings.sigma.maxStabilizedFrameNum == 3);
+    CHECK_THROWS_AS(applySettings(settings, set.families(), {{"RELAX.depthThreshold", "1"}}), SettingError);
+    std::set<std::string> names;
+    for (const SettingField& field : panelFields(settings, set)) CHECK(names.insert(field.name).second);
+    CHECK(names.count("SIGMA.maxStabilizedFrameNum") == 1);
 }
 
 TEST_CASE("a value's text is read back as the same value", "[unit]")
