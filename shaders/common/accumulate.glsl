@@ -36,22 +36,30 @@ float trackingCandidate(ivec2 pixel)
 
 uvec2 packSample(vec4 value) { return uvec2(packHalf2x16(value.xy), packHalf2x16(value.zw)); }
 
+const vec4 kBadSample = vec4(-1.0, 0.0, 0.0, 0.0); // luma is not negative
+
+vec4 readSample(texture2D t, ivec2 pixel)
+{
+    bool isValid;
+    vec4 value = sanitize(texelFetch(t, pixel, 0), isValid);
+    return isValid ? value : kBadSample;
+}
+
 // What is out of range was not written.
 void loadSamples(ivec2 local, ivec2 pixel, bool isUsed)
 {
-    bool isValid;
 #if HAS_DIFFUSE && HAS_CAP
     vec4 diffuse = vec4(0.0);
-    if (!kHasPrepass) diffuse = sanitize(texelFetch(gIn_Diffuse, pixel, 0), isValid);
-    sSamples[0][local.y][local.x] = isUsed ? packSample(diffuse) : uvec2(0);
+    if (!kHasPrepass) diffuse = readSample(gIn_Diffuse, pixel);
+    sSamples[0][local.y][local.x] = packSample(isUsed ? diffuse : kBadSample);
 #endif
 #if HAS_SPECULAR
     vec4 specular = vec4(0.0);
     if (!kHasPrepass && !kIsBounded)
-        specular = sanitize(texelFetch(gIn_Specular, pixel, 0), isValid);
+        specular = readSample(gIn_Specular, pixel);
     else
         specular.w = trackingCandidate(pixel);
-    sSamples[kSpecularSample][local.y][local.x] = isUsed ? packSample(specular) : uvec2(0);
+    sSamples[kSpecularSample][local.y][local.x] = packSample(isUsed ? specular : kBadSample);
 #endif
 }
 
@@ -191,16 +199,26 @@ vec2 readCap(ivec2 pixel)
 }
 
 // The colour of a single sample is noise that no later pass calms as it does luma. So a sample keeps its luma and takes
-// the colour of its neighbourhood, in which brighter samples count for more. share: how much of that.
-Signal calmColor(Surface s, Signal signal, int channel, float share)
+// the colour of its neighbourhood, in which brighter samples count for more. share: how much of that. One that is not
+// finite is taken from there as a whole.
+Signal calmColor(Surface s, Signal signal, int channel, float share, inout bool isValid)
 {
-    vec3 sum = signal.value.xyz;
+    vec4 sum = signal.value; // 0 if it is not valid
+    float count = isValid ? 1.0 : 0.0;
     [[unroll]] for (int i = 0; i < 4; i++)
     {
         ivec2 local = ivec2(gl_LocalInvocationID.xy) + 1 + kNextPixels[i];
         uvec2 other = sSamples[channel * HAS_CAP][local.y][local.x];
-        float isLike = (s.likeNeighbours & (1u << i)) != 0u ? 1.0 : 0.0;
-        sum += isLike * vec3(unpackHalf2x16(other.x), unpackHalf2x16(other.y).x);
+        vec4 value = vec4(unpackHalf2x16(other.x), unpackHalf2x16(other.y));
+        bool isNear = !isValid || (s.likeNeighbours & (1u << i)) != 0u; // anything is better than nothing
+        float isLike = value.x >= 0.0 && isNear ? 1.0 : 0.0;
+        sum += isLike * value;
+        count += isLike;
+    }
+    if (!isValid && count > 0.0)
+    {
+        isValid = true;
+        return Signal(sum / count, vec3(0.0));
     }
     vec2 color = signal.value.x * sum.yz / max(sum.x, NRD_LUMA_EPS); // black has none
     signal.value.yz = mix(signal.value.yz, color, share);
@@ -220,8 +238,9 @@ Signal readAccumulated(texture2D t, texture2D second, Surface s, int channel, fl
 {
     if (!kHasPrepass)
     {
-        Signal signal = capLuma(readInput(t, second, s.pixel, isValid), readCap(s.pixel)[channel]);
-        return kIsBounded ? signal : calmColor(s, signal, channel, calmShare);
+        Signal signal = readInput(t, second, s.pixel, isValid);
+        if (!kIsBounded) signal = calmColor(s, signal, channel, calmShare, isValid);
+        return capLuma(signal, readCap(s.pixel)[channel]);
     }
     Signal signal = readSignal(t, second, s.pixel);
     isValid = kIsBounded || signal.value.w >= 0.0;

@@ -10,6 +10,8 @@
 // 48 follows light of one in 48^2. More, and chance makes the statistics grow with fireflies of one in 5000. Not less
 // than 16, by which one of 256 values can deviate: the tile's own statistics never cap what they consist of.
 const float kSpreadScale = 48.0;
+// Where no pre-pass spreads what is let through before it is accumulated.
+const float kLateSpreadScale = 24.0;
 const float kSpreadFrameNum = 32.0;
 const float kFewSamples = 8.0; // say nothing of what is normal
 const float kNoCap = NRD_FP16_MAX; // as it is stored
@@ -78,7 +80,7 @@ Spread readSpread(ivec2 tile)
 }
 
 vec2 isKnown(Samples s) { return vec2(greaterThanEqual(s.count, vec2(kFewSamples))); }
-vec2 capOf(Spread s) { return s.mean + kSpreadScale * s.deviation; }
+vec2 capOf(Spread s) { return s.mean + (kHasPrepass ? kSpreadScale : kLateSpreadScale) * s.deviation; }
 
 // What the frame itself says, or what was known before if that is more.
 vec2 findCap(Samples samples)

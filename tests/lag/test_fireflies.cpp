@@ -125,9 +125,14 @@ TEST_CASE("the anti-firefly of REBLUR leaves most of a light that one path in 20
 {
     for (const nrd::Denoiser denoiser : kDenoisers)
     {
-        INFO(nrd::toString(denoiser));
-        const Figures on = printRun(denoiser, {Input::Sparse, true, true});
-        const Figures off = printRun(denoiser, {Input::Sparse, false, true});
-        if (!isRelax(denoiser)) CHECK(on.mean > 0.6 * off.mean); // 0.65 with bounds from 72 pixels instead of 16
+        for (const bool hasPrePass : {true, false})
+        {
+            INFO(nrd::toString(denoiser) << ", pre-pass " << hasPrePass);
+            const Figures on = printRun(denoiser, {Input::Sparse, true, hasPrePass});
+            const Figures off = printRun(denoiser, {Input::Sparse, false, hasPrePass});
+            // 0.65 with bounds from 72 pixels instead of 16. Without a pre-pass 0.3 of the light of 0.6 is left, with
+            // one 0.3 to 0.4 of 0.5.
+            if (!isRelax(denoiser)) CHECK(on.mean > (hasPrePass ? 0.6 : 0.45) * off.mean);
+        }
     }
 }

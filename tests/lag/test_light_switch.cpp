@@ -127,7 +127,7 @@ constexpr Limit kLimits[] = {
     {nrd::Denoiser::REBLUR_DIFFUSE, 27, 15},
     {nrd::Denoiser::REBLUR_SPECULAR, 27, 15},
     // 18, 4 and 26 with twice the taps, which calm the noise that a change must exceed.
-    {nrd::Denoiser::RELAX_DIFFUSE, 22, 5},
+    {nrd::Denoiser::RELAX_DIFFUSE, 26, 6},  // 22 and 5 with a pre-pass
     {nrd::Denoiser::RELAX_SPECULAR, 27, 7}, // 6 when going dark was easier, and what blinked lost half of its light
 };
 

@@ -46,7 +46,7 @@ quality::Settings makeFireflySettings(nrd::Denoiser denoiser, bool hasAntiFirefl
     const auto change = [&](auto& chosen)
     {
         chosen.enableAntiFirefly = hasAntiFirefly;
-        if (!hasPrePass) chosen.prePassMode = nrd::PrePassMode::OFF;
+        chosen.prePassMode = hasPrePass ? nrd::PrePassMode::SIMPLE : nrd::PrePassMode::OFF;
     };
     std::visit(change, settings);
     return settings;

@@ -209,7 +209,7 @@ TEST_CASE("RELAX modes that are none are refused", "[unit]")
 {
     RelaxSettings s;
     s.prePassMode = PrePassMode::MAX_NUM;
-    requireRefused(s, "prePassMode", "2", "an enumerator");
+    requireRefused(s, "prePassMode", "3", "an enumerator");
     s = {};
     s.checkerboardMode = CheckerboardMode::MAX_NUM;
     requireRefused(s, "checkerboardMode", "3", "an enumerator");

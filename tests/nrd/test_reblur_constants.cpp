@@ -99,6 +99,7 @@ TEST_CASE("the convergence constants give the specified factor", "[unit]")
 TEST_CASE("radii follow the root of the rectangle's height", "[unit]")
 {
     Inputs inputs;
+    inputs.settings.prePassMode = PrePassMode::SIMPLE;
     inputs.common.rectSize[0] = 50;
     inputs.common.rectSize[1] = 40; // a sixth of the radii at 1440 lines
     const DenoiserConstants g = inputs.make();

@@ -38,6 +38,9 @@ TEST_CASE("the first request of each denoiser clears everything it writes, once"
 {
     const InstancePtr instance = makeInstance({kReblurBoth, kReblurBoth});
     CommonSettings common = makeCommon();
+    ReblurSettings allPasses; // every pass runs
+    allPasses.prePassMode = PrePassMode::SIMPLE;
+    for (Identifier i : {0u, 1u}) REQUIRE(SetDenoiserSettings(*instance, i, allPasses) == Result::SUCCESS);
     const std::vector<DispatchDesc> first = requestFrame(*instance, common, {0});
     const std::set<Target> cleared = written(first, true);
     std::set<Target> all = written(first, false);

@@ -62,9 +62,16 @@ double angleConfidence(double angle, double explained, double forgiven)
     return smooth01((smooth01(1.0 - (angle - explained) / forgiven) - 0.05) / 0.9);
 }
 
+// As the shader's: within 0.005 of the arc tangent.
+double angleOf(double tangent)
+{
+    if (tangent <= 1.0) return tangent / (1.0 + 0.28 * tangent * tangent);
+    return 1.57079632679489662 - tangent / (tangent * tangent + 0.28);
+}
+
 double normalCutoff(double roughness, double share, double least)
 {
-    return std::max(std::atan(lobeTangent(roughness, share)), least);
+    return std::max(angleOf(lobeTangent(roughness, share)), least);
 }
 
 EdgeStops edgeStops(const StopSettings& s, const StopInput& in)

@@ -131,7 +131,7 @@ constexpr PassRow kPasses[] = {
      {Cap, Spread},
      kTile,
      runsFireflyCap,
-     {},
+     {kPrePassSwitch},
      1,
      kColor},
     {"Pre-pass",

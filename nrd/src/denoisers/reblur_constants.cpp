@@ -28,7 +28,8 @@ void fillHistory(const Request& request, const ReblurSettings& s, shared::Denois
     g.convergence = {s.convergenceSettings.s * s.convergenceSettings.b,
                      s.convergenceSettings.s * (1.0f - s.convergenceSettings.b)};
     g.convergenceLengthInv = 1.0f / (1.0f + s.convergenceSettings.p * static_cast<float>(maxFrameNum));
-    g.antilagSigmaScale = s.antilagSettings.luminanceSigmaScale;
+    // Without a pre-pass samples vary by more, but each by itself, so that their means tell as much.
+    g.antilagSigmaScale = (isPrefiltered(s) ? 1.0f : 0.7f) * s.antilagSettings.luminanceSigmaScale;
     g.antilagSensitivity = s.antilagSettings.luminanceSensitivity;
     g.responsiveRoughnessThreshold = s.responsiveAccumulationSettings.roughnessThreshold;
     g.responsiveMinFrameNum = static_cast<float>(s.responsiveAccumulationSettings.minAccumulatedFrameNum);
@@ -49,7 +50,8 @@ void fillFilters(const Request& request, const ReblurSettings& s, shared::Denois
     g.minHitDistanceWeight = s.minHitDistanceWeight;
     // Without spatial filtering the long history is as noisy as the fast one, so the box must be wider.
     g.fastClampSigmaScale = toFloat(mix(3.0, s.fastHistoryClampingSigmaScale, saturate(s.maxBlurRadius / 2.0)));
-    fillFireflies(s.enableAntiFirefly, s.fireflySuppressorMinRelativeScale, 38.0f, g.maxBlurRadius, g);
+    fillFireflies(s.enableAntiFirefly, s.fireflySuppressorMinRelativeScale, 38.0f,
+                  isPrefiltered(s) ? g.maxBlurRadius : 0.0f, g);
     g.minMaterialForDiffuse = s.minMaterialForDiffuse;
     g.minMaterialForSpecular = s.minMaterialForSpecular;
     g.isPrepassTrackingOnly = s.usePrepassOnlyForSpecularMotionEstimation ? 1 : 0;

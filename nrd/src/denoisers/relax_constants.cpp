@@ -28,10 +28,12 @@ void fillHistory(const Request& request, const RelaxSettings& s, shared::Denoise
     g.historyFixAlternateStride = static_cast<float>(s.historyFixAlternatePixelStride);
     g.relaxFixNormalPower = s.historyFixEdgeStoppingNormalPower;
     g.fastClampSigmaScale = s.fastHistoryClampingSigmaScale;
-    g.relaxAntilag = {s.antilagSettings.accelerationAmount, s.antilagSettings.spatialSigmaScale,
-                      s.antilagSettings.temporalSigmaScale, s.antilagSettings.resetAmount};
-    fillFireflies(s.enableAntiFirefly, s.enableAntiFirefly ? 1.5f : 2.0f, s.enableAntiFirefly ? 19.0f : 38.0f, 30.0f,
-                  g);
+    // Without a pre-pass samples vary by more than twice as much, but each by itself, so that their means tell as much.
+    const float sigmaShare = isPrefiltered(s) ? 1.0f : 0.6f;
+    g.relaxAntilag = {s.antilagSettings.accelerationAmount, sigmaShare * s.antilagSettings.spatialSigmaScale,
+                      sigmaShare * s.antilagSettings.temporalSigmaScale, s.antilagSettings.resetAmount};
+    fillFireflies(s.enableAntiFirefly, s.enableAntiFirefly ? 1.5f : 2.0f, s.enableAntiFirefly ? 19.0f : 38.0f,
+                  isPrefiltered(s) ? 30.0f : 3.0f, g);
     g.responsiveMinFrameNum = static_cast<float>(kHistoryMaxFrameNum);
 }
 
