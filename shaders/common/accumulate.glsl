@@ -198,10 +198,10 @@ vec2 readCap(ivec2 pixel)
     return vec2(NRD_FP16_MAX);
 }
 
-// The colour of a single sample is noise that no later pass calms as it does luma. So a sample keeps its luma and takes
-// the colour of its neighbourhood, in which brighter samples count for more. share: how much of that. One that is not
-// finite is taken from there as a whole.
-Signal calmColor(Surface s, Signal signal, int channel, float share, inout bool isValid)
+// Colour and hit distance of a single sample are noise that no later pass calms as it does luma. So a sample keeps its
+// luma and takes the others from its neighbourhood; for the colour brighter samples count for more. share: how much of
+// that. One that is not finite is taken from there as a whole.
+Signal calmSample(Surface s, Signal signal, int channel, float share, inout bool isValid)
 {
     vec4 sum = signal.value; // 0 if it is not valid
     float count = isValid ? 1.0 : 0.0;
@@ -221,7 +221,7 @@ Signal calmColor(Surface s, Signal signal, int channel, float share, inout bool 
         return Signal(sum / count, vec3(0.0));
     }
     vec2 color = signal.value.x * sum.yz / max(sum.x, NRD_LUMA_EPS); // black has none
-    signal.value.yz = mix(signal.value.yz, color, share);
+    signal.value.yzw = mix(signal.value.yzw, vec3(color, sum.w / max(count, 1.0)), share);
     return signal;
 }
 
@@ -239,7 +239,7 @@ Signal readAccumulated(texture2D t, texture2D second, Surface s, int channel, fl
     if (!kHasPrepass)
     {
         Signal signal = readInput(t, second, s.pixel, isValid);
-        if (!kIsBounded) signal = calmColor(s, signal, channel, calmShare, isValid);
+        if (!kIsBounded) signal = calmSample(s, signal, channel, calmShare, isValid);
         return capLuma(signal, readCap(s.pixel)[channel]);
     }
     Signal signal = readSignal(t, second, s.pixel);
