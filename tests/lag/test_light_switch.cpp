@@ -125,7 +125,7 @@ struct Limit
 // seven frames; RELAX keeps the noisy luma as well. What holds is that the change itself is mostly gone soon.
 constexpr Limit kLimits[] = {
     {nrd::Denoiser::REBLUR_DIFFUSE, 27, 15},
-    {nrd::Denoiser::REBLUR_SPECULAR, 27, 15},
+    {nrd::Denoiser::REBLUR_SPECULAR, 28, 15}, // of a settled error that is lower than with a pre-pass, then 27
     // 18, 4 and 26 with twice the taps, which calm the noise that a change must exceed.
     {nrd::Denoiser::RELAX_DIFFUSE, 26, 6},  // 22 and 5 with a pre-pass
     {nrd::Denoiser::RELAX_SPECULAR, 27, 7}, // 6 when going dark was easier, and what blinked lost half of its light
