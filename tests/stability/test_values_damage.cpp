@@ -13,8 +13,8 @@ namespace
 {
 constexpr glm::ivec2 kWide{80, 40}, kPlace{28, 26};
 constexpr int kWarmUp = 6;
-// The frame itself and the default lengths of histories after it.
-constexpr int kMostFrames = 1 + int(nrd::ReblurSettings{}.maxAccumulatedFrameNum);
+// The frame itself and the default lengths of histories after it, and a quarter more: a running mean forgets bit by bit.
+constexpr int kMostFrames = 1 + int(nrd::ReblurSettings{}.maxAccumulatedFrameNum) * 5 / 4;
 constexpr int kMostShadowFrames = 1 + int(nrd::SigmaSettings{}.maxStabilizedFrameNum);
 
 using Picture = std::vector<Level>;
