@@ -1,35 +1,22 @@
 // The program itself, on tiny pictures, with the validation layers on.
-#include "catch.h"
+#include "outcome.h"
 
 #include <nrd/nrd.h>
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <random>
-#include <sys/wait.h>
 
 namespace
 {
-struct Outcome
-{
-    int exitCode = -1;
-    std::string text; // stdout and stderr, or what the redirection leaves of them
-};
+using test::Outcome;
 
 Outcome run(const std::string& arguments, const char* redirection = "2>&1")
 {
-    Outcome outcome;
-    std::FILE* pipe = popen((std::string(NRD_BENCH) + " " + arguments + " " + redirection).c_str(), "r");
-    REQUIRE(pipe);
-    char buffer[512];
-    while (const size_t count = std::fread(buffer, 1, sizeof(buffer), pipe)) outcome.text.append(buffer, count);
-    const int status = pclose(pipe);
-    if (WIFEXITED(status)) outcome.exitCode = WEXITSTATUS(status);
-    return outcome;
+    return test::runCommand(std::string(NRD_BENCH) + " " + arguments + " " + redirection);
 }
 
 struct File

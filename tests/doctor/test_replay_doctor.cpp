@@ -1,31 +1,15 @@
 // nrd-replay --doctor as a program: what it prints and returns, with the validation layers on.
 #include "capture.h"
-#include "catch.h"
-#include <cstdio>
+#include "outcome.h"
 #include <filesystem>
-#include <sys/wait.h>
 
 namespace fs = std::filesystem;
 
 namespace
 {
-struct Outcome
-{
-    int exitCode = -1;
-    std::string text; // stdout and stderr
-};
+using test::Outcome;
 
-Outcome run(const std::string& command)
-{
-    Outcome outcome;
-    std::FILE* pipe = popen((command + " 2>&1").c_str(), "r");
-    REQUIRE(pipe);
-    char buffer[512];
-    while (const size_t count = std::fread(buffer, 1, sizeof(buffer), pipe)) outcome.text.append(buffer, count);
-    const int status = pclose(pipe);
-    if (WIFEXITED(status)) outcome.exitCode = WEXITSTATUS(status);
-    return outcome;
-}
+Outcome run(const std::string& command) { return test::runCommand(command + " 2>&1"); }
 
 Outcome diagnose(const fs::path& capture, const std::string& options)
 {

@@ -1,5 +1,5 @@
 // The program itself on a small capture of a constant signal, with the validation layers on.
-#include "catch.h"
+#include "outcome.h"
 
 #include "capture.h"
 #include "exr.h"
@@ -8,11 +8,9 @@
 #include <nlohmann/json.hpp>
 
 #include <cmath>
-#include <cstdio>
 #include <fstream>
 #include <iterator>
 #include <random>
-#include <sys/wait.h>
 
 using namespace sample;
 
@@ -22,22 +20,11 @@ constexpr int kWidth = 48;
 constexpr int kHeight = 32;
 constexpr int kFrameCount = 10;
 
-struct Outcome
-{
-    int exitCode = -1;
-    std::string text; // stdout and stderr
-};
+using test::Outcome;
 
 Outcome run(const std::string& arguments)
 {
-    Outcome outcome;
-    std::FILE* pipe = popen((std::string(NRD_REPLAY) + " " + arguments + " 2>&1").c_str(), "r");
-    REQUIRE(pipe);
-    char buffer[512];
-    while (const size_t count = std::fread(buffer, 1, sizeof(buffer), pipe)) outcome.text.append(buffer, count);
-    const int status = pclose(pipe);
-    if (WIFEXITED(status)) outcome.exitCode = WEXITSTATUS(status);
-    return outcome;
+    return test::runCommand(std::string(NRD_REPLAY) + " " + arguments + " 2>&1");
 }
 
 void fill(Planes& planes, Channel first, std::initializer_list<float> values)

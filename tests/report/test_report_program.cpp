@@ -1,17 +1,15 @@
 // The program itself on a small capture of a noisy wall, with the validation layers on.
-#include "catch.h"
+#include "outcome.h"
 
 #include "capture.h"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <cstdio>
 #include <fstream>
 #include <iterator>
 #include <random>
 #include <regex>
-#include <sys/wait.h>
 
 using namespace sample;
 
@@ -21,23 +19,12 @@ constexpr int kWidth = 48;
 constexpr int kHeight = 32;
 constexpr int kFrameCount = 10;
 
-struct Outcome
-{
-    int exitCode = -1;
-    std::string text; // stdout and stderr
-};
+using test::Outcome;
 
 // `before` stands in front of the program's name.
 Outcome run(const std::string& arguments, const std::string& before = "")
 {
-    Outcome outcome;
-    std::FILE* pipe = popen((before + NRD_REPORT + " " + arguments + " 2>&1").c_str(), "r");
-    REQUIRE(pipe);
-    char buffer[512];
-    while (const size_t count = std::fread(buffer, 1, sizeof(buffer), pipe)) outcome.text.append(buffer, count);
-    const int status = pclose(pipe);
-    if (WIFEXITED(status)) outcome.exitCode = WEXITSTATUS(status);
-    return outcome;
+    return test::runCommand(before + NRD_REPORT + " " + arguments + " 2>&1");
 }
 
 void fill(Planes& planes, Channel first, std::initializer_list<float> values)
