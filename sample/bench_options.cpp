@@ -79,16 +79,7 @@ std::optional<Options> parseOptions(int argumentCount, const char* const* argume
     Options options;
     Texts texts;
     declareOptions(app, options, texts);
-    try
-    {
-        app.parse(argumentCount, arguments);
-    }
-    catch (const CLI::ParseError& e)
-    {
-        if (e.get_exit_code() != 0) throw SettingError(e.what());
-        app.exit(e); // --help, --version
-        return std::nullopt;
-    }
+    if (!parseArguments(app, argumentCount, arguments)) return std::nullopt;
     options.denoisers = selectDenoisers(texts.denoisers);
     options.sizes = parseSizes(texts.sizes);
     options.workload.skyShare = texts.skyPercent * 0.01f;

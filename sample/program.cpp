@@ -1,6 +1,8 @@
 #include "program.h"
 #include "capture.h"
+#include "replay_settings.h"
 
+#include <CLI/CLI.hpp>
 #include <nrd/nrd.h>
 
 #include <cstdio>
@@ -43,5 +45,20 @@ void prepareFolder(const std::filesystem::path& folder)
 void prepareFile(const std::filesystem::path& file)
 {
     if (!file.empty() && !std::ofstream(file, std::ios::app)) throw FileError(file.string() + " cannot be written");
+}
+
+bool parseArguments(CLI::App& app, int argumentCount, const char* const* arguments)
+{
+    try
+    {
+        app.parse(argumentCount, arguments);
+        return true;
+    }
+    catch (const CLI::ParseError& e)
+    {
+        if (e.get_exit_code() != 0) throw SettingError(e.what());
+        app.exit(e); // prints what was asked for
+        return false;
+    }
 }
 } // namespace sample

@@ -7,6 +7,11 @@
 #include <new>
 #include <string>
 
+namespace CLI
+{
+class App;
+}
+
 namespace sample
 {
 // "nrd-replay 0.1.0".
@@ -23,6 +28,9 @@ void prepareFolder(const std::filesystem::path& folder);
 
 // What would only fail after all the work fails before it; an empty path is none. Throws FileError.
 void prepareFile(const std::filesystem::path& file);
+
+// False: the help or the version was asked for and is printed. Throws SettingError.
+bool parseArguments(CLI::App& app, int argumentCount, const char* const* arguments);
 
 // The exit code of `run`, or 1 and the exception's sentence.
 template <class Run> int runProgram(const char* program, Run&& run)

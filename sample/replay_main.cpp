@@ -205,18 +205,6 @@ int main(int argumentCount, char** arguments)
     CLI::App app("Denoises a recorded capture and measures the result against its references.");
     Options options;
     declareOptions(app, options);
-    const auto parseAndRun = [&]
-    {
-        try
-        {
-            app.parse(argumentCount, arguments);
-        }
-        catch (const CLI::ParseError& e)
-        {
-            if (e.get_exit_code() == 0) return app.exit(e); // --help, --version
-            throw;
-        }
-        return run(options);
-    };
+    const auto parseAndRun = [&] { return parseArguments(app, argumentCount, arguments) ? run(options) : 0; };
     return runProgram("nrd-replay", parseAndRun);
 }

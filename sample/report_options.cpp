@@ -64,16 +64,7 @@ std::optional<Options> parseOptions(int argumentCount, const char* const* argume
     Options options;
     Texts texts;
     declareOptions(app, options, texts);
-    try
-    {
-        app.parse(argumentCount, arguments);
-    }
-    catch (const CLI::ParseError& e)
-    {
-        if (e.get_exit_code() != 0) throw SettingError(e.what());
-        app.exit(e); // --help, --version
-        return std::nullopt;
-    }
+    if (!parseArguments(app, argumentCount, arguments)) return std::nullopt;
     complete(options, texts);
     return options;
 }
