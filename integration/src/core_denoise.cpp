@@ -2,6 +2,7 @@
 #include "core.h"
 #include "user_pool.h"
 #include <algorithm>
+#include <optional>
 #include <rhi/vulkan.h>
 
 namespace nrd
@@ -14,18 +15,19 @@ void Core::denoise(VkCommandBuffer commandBuffer, rhi::Span<const Identifier> id
     if (identifiers.empty()) return;
     rhi::CommandBuffer& commands = wrap(commandBuffer);
     rhi::Span<const DispatchDesc> dispatches;
-    // Puts the states back that a dump has entered, if planning fails; also what they are restored to.
-    const NrdUserPool arrival = userPool;
     const bool hasDump = isDumped(identifiers);
+    // Before a dump enters other states: what they are restored to, also if planning fails.
+    std::optional<NrdUserPool> arrival;
+    if (hasDump) arrival = userPool;
     try
     {
         if (hasDump) planDump(identifiers, userPool); // first, as its failure breaks no history
         dispatches = request(identifiers);
-        m_planner->plan(planContext(userPool, arrival), dispatches, options);
+        m_planner->plan(planContext(userPool, arrival ? *arrival : userPool), dispatches, options);
     }
     catch (...)
     {
-        userPool = arrival;
+        if (arrival) userPool = *arrival;
         throw;
     }
     if (hasDump) m_dump->record(commands, copyContext());

@@ -10,8 +10,7 @@ Diagnosis::Diagnosis(rhi::Device& device, const char* name)
 
 Diagnosis::Recording& Diagnosis::freeRecording()
 {
-    for (const std::unique_ptr<Recording>& recording : m_recordings)
-        if (recording->frame == 0) return *recording;
+    if (Recording* free = findRecording(m_recordings, 0)) return *free;
     m_recordings.push_back(std::make_unique<Recording>(Recording{0, {}, {m_device, *m_pipeline, m_name.c_str()}, {}}));
     return *m_recordings.back();
 }
@@ -41,13 +40,8 @@ void Diagnosis::record(rhi::CommandBuffer& commands, const CopyContext& context,
 
 void Diagnosis::look(uint64_t lastFrame)
 {
-    while (true)
+    while (Recording* oldest = oldestRecording(m_recordings, lastFrame))
     {
-        Recording* oldest = nullptr;
-        for (const std::unique_ptr<Recording>& recording : m_recordings)
-            if (recording->frame != 0 && recording->frame <= lastFrame && (!oldest || recording->frame < oldest->frame))
-                oldest = recording.get();
-        if (!oldest) return;
         oldest->frame = 0; // also if the doctor refuses it
         for (size_t i = 0; i < oldest->texels.size(); i++) oldest->input.*oldest->texels[i] = oldest->copies.texels(i);
         const Result result = m_doctor.AddFrame(oldest->input);

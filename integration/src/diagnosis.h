@@ -1,6 +1,7 @@
 // Copies of the inputs for the host, one set per frame that the GPU may still work on, and the doctor that looks at
 // them.
 #pragma once
+#include "frame_recordings.h"
 #include "image_copies.h"
 #include <nrd/doctor.h>
 
@@ -42,7 +43,7 @@ private:
     rhi::Device& m_device;
     std::string m_name;
     std::unique_ptr<rhi::Pipeline> m_pipeline;
-    std::vector<std::unique_ptr<Recording>> m_recordings;
+    FrameRecordings<Recording> m_recordings;
     uint64_t m_lastFrame = 0;
     InputDoctor m_doctor;
 };

@@ -30,19 +30,15 @@ void InputDump::stop(const char* reason)
 
 bool InputDump::has(uint64_t frame, ResourceType type) const
 {
-    for (const std::unique_ptr<Recording>& recording : m_recordings)
-        if (recording->frame == frame)
-            return std::any_of(recording->slots.begin(), recording->slots.end(),
-                               [&](const SlotContext& slot) { return slot.type == type; });
-    return false;
+    const Recording* const recording = findRecording(m_recordings, frame);
+    return recording && std::any_of(recording->slots.begin(), recording->slots.end(),
+                                    [&](const SlotContext& slot) { return slot.type == type; });
 }
 
 InputDump::Recording& InputDump::recordingOf(uint64_t frame)
 {
-    for (const std::unique_ptr<Recording>& recording : m_recordings)
-        if (recording->frame == frame) return *recording;
-    for (const std::unique_ptr<Recording>& recording : m_recordings)
-        if (recording->frame == 0) return *recording;
+    if (Recording* begun = findRecording(m_recordings, frame)) return *begun;
+    if (Recording* free = findRecording(m_recordings, 0)) return *free;
     m_recordings.push_back(std::make_unique<Recording>(Recording{0, {}, {m_device, *m_pipeline, m_name.c_str()}, {}}));
     return *m_recordings.back();
 }
@@ -88,13 +84,8 @@ void InputDump::record(rhi::CommandBuffer& commands, const CopyContext& context)
 
 void InputDump::write(uint64_t lastFrame)
 {
-    while (true)
+    while (Recording* oldest = oldestRecording(m_recordings, lastFrame))
     {
-        Recording* oldest = nullptr;
-        for (const std::unique_ptr<Recording>& recording : m_recordings)
-            if (recording->frame != 0 && recording->frame <= lastFrame && (!oldest || recording->frame < oldest->frame))
-                oldest = recording.get();
-        if (!oldest) return;
         writeFrame(*oldest);
         oldest->frame = 0;
         m_pending--;

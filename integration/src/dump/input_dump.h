@@ -1,5 +1,6 @@
 // NrdIntegration::DumpInputs(): copies of the inputs of some frames, written as a capture when the GPU is done.
 #pragma once
+#include "../frame_recordings.h"
 #include "../image_copies.h"
 #include "dump_frame.h"
 
@@ -49,7 +50,7 @@ private:
     std::string m_name;
     std::filesystem::path m_folder;
     std::unique_ptr<rhi::Pipeline> m_pipeline;
-    std::vector<std::unique_ptr<Recording>> m_recordings;
+    FrameRecordings<Recording> m_recordings;
     Recording* m_planned = nullptr;
     std::vector<CopiedImage> m_plannedSources;
     std::vector<SlotContext> m_plannedSlots;
