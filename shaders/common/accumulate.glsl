@@ -19,20 +19,20 @@ const int kSpecularSample = kSpecularChannel * HAS_CAP;
 const float kColorPlaneSensitivity = 0.02;
 const float kColorMinCosine = 0.9;
 
-// World units with the pre-pass; without it normalised by the neighbour's own distance and roughness. Occlusion always
-// looks at the input: what is accumulated may be overwritten by other groups meanwhile.
+#if HAS_SPECULAR
+// World units, from the pre-pass. Occlusion always looks at the input, normalised: what is accumulated may be
+// overwritten by other groups meanwhile.
 float trackingCandidate(ivec2 pixel)
 {
+#if SIGNAL == 2
     bool isValid;
-#if HAS_SPECULAR && SIGNAL == 2
     if (!hasData(pixel, true)) return 0.0;
     return sanitize(texelFetch(gIn_SpecularHitDist, inputTexel(pixel), 0), isValid).w;
-#elif HAS_SPECULAR
-    return texelFetch(gIn_TrackNew, pixel, 0).x;
 #else
-    return 0.0;
+    return texelFetch(gIn_TrackNew, pixel, 0).x;
 #endif
 }
+#endif
 
 uvec2 packSample(vec4 value) { return uvec2(packHalf2x16(value.xy), packHalf2x16(value.zw)); }
 

@@ -36,7 +36,7 @@ float square(float x) { return x * x; }
 float angleOf(float tangent)
 {
     float inner = tangent / (1.0 + 0.28 * tangent * tangent);
-    float outer = 0.5 * 3.14159265 - tangent / (tangent * tangent + 0.28);
+    float outer = 0.5 * kPi - tangent / (tangent * tangent + 0.28);
     return tangent <= 1.0 ? inner : outer;
 }
 

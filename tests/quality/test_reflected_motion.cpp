@@ -97,14 +97,9 @@ Scene render(const Run& run, int index)
 // With a pre-pass, so that what motion does wrong is not lost in noise.
 Settings calmSettings(nrd::Denoiser denoiser)
 {
-    if (denoiser == nrd::Denoiser::RELAX_SPECULAR)
-    {
-        nrd::RelaxSettings settings;
-        settings.prePassMode = nrd::PrePassMode::SIMPLE;
-        return settings;
-    }
-    nrd::ReblurSettings settings;
-    settings.prePassMode = nrd::PrePassMode::SIMPLE;
+    Settings settings = nrd::ReblurSettings();
+    if (denoiser == nrd::Denoiser::RELAX_SPECULAR) settings = nrd::RelaxSettings();
+    std::visit([](auto& chosen) { chosen.prePassMode = nrd::PrePassMode::SIMPLE; }, settings);
     return settings;
 }
 
