@@ -1,5 +1,6 @@
 // NrdIntegration: every public call in any order over a device that records what reaches it and fails now and then,
 // with arbitrary native handles, creation descs, user pools, identifiers and sizes.
+#include "arbitrary_integration.h"
 #include "arbitrary_settings.h"
 #include "fake_images.h"
 #include "fuzz.h"
@@ -43,11 +44,8 @@ private:
     void observe();
     void recordDiagnosis();
 
-    IntegrationCreationDesc arbitraryDesc();
     InstanceCreationDesc arbitraryInstanceDesc();
     void fillPool(NrdUserPool& pool, const Identifier* identifiers, uint32_t identifierNum);
-    void damagePool(NrdUserPool& pool);
-    void changeImage(NrdUserImage& image);
     CommonSettings nextFrame();
     void check(Result result);
 
@@ -78,25 +76,6 @@ void Calls::check(Result result)
     require(!isRefused || *m_integration.GetLastMessage() != 0, "a refused call is explained");
     m_reportNum = 0;
     m_device->clearCalls();
-}
-
-IntegrationCreationDesc Calls::arbitraryDesc()
-{
-    IntegrationCreationDesc desc;
-    const bool isWild = m_reader.below(8) == 0;
-    const bool isSmall = m_reader.below(8) != 0;
-    desc.name = m_reader.below(8) == 0 ? nullptr : m_reader.below(8) == 0 ? "%s%n" : "name";
-    desc.resourceWidth =
-        static_cast<uint16_t>(isSmall ? 1 + m_reader.below(kMaxDiagnosedSize) : m_reader.value<uint16_t>());
-    desc.resourceHeight =
-        static_cast<uint16_t>(isSmall ? 1 + m_reader.below(kMaxDiagnosedSize) : m_reader.value<uint16_t>());
-    // Large numbers that are allowed only take memory: the ring of constants is real.
-    desc.framesInFlight = isWild ? m_reader.value<uint32_t>() : m_reader.below(5);
-    desc.maxDenoiseCallsPerFrame = isWild ? 1025 + m_reader.value<uint32_t>() % 0x80000000u : m_reader.below(4);
-    desc.layoutPolicy = isWild ? m_reader.value<LayoutPolicy>() : static_cast<LayoutPolicy>(m_reader.below(2));
-    desc.isGpuTimingEnabled = m_reader.flag();
-    desc.createDefaultPipelines = m_reader.below(16) == 0;
-    return desc;
 }
 
 InstanceCreationDesc Calls::arbitraryInstanceDesc()
@@ -136,7 +115,7 @@ void Calls::create()
         check(IntegrationAccess::Create(m_integration, *m_device, {}, {}));
         return;
     }
-    const IntegrationCreationDesc desc = arbitraryDesc();
+    const IntegrationCreationDesc desc = fuzz::arbitraryDesc(m_reader, kMaxDiagnosedSize);
     const InstanceCreationDesc instanceDesc = arbitraryInstanceDesc();
     if (m_reader.below(8) == 0) m_device->failCreation(1 + m_reader.below(32));
     const Result result = IntegrationAccess::Create(m_integration, *m_device, desc, instanceDesc);
@@ -150,7 +129,7 @@ void Calls::create()
 // Over a loader that has no function.
 void Calls::createNative()
 {
-    IntegrationCreationDesc desc = arbitraryDesc();
+    IntegrationCreationDesc desc = fuzz::arbitraryDesc(m_reader, kMaxDiagnosedSize);
     NativeDevice& native = desc.native;
     native.instance = reinterpret_cast<VkInstance>(m_reader.value<uintptr_t>());
     native.physicalDevice = reinterpret_cast<VkPhysicalDevice>(m_reader.value<uintptr_t>());
@@ -233,45 +212,6 @@ void Calls::fillPool(NrdUserPool& pool, const Identifier* identifiers, uint32_t 
                                 test::dividedSize(m_height, m_denoisers[d].resolutionDivisor), pool);
 }
 
-void Calls::changeImage(NrdUserImage& image)
-{
-    constexpr uint32_t kEnumBits = 0x7FFFFFFF; // what Vulkan's enumerations can hold
-    switch (m_reader.below(8))
-    {
-    case 0:
-        image.image = reinterpret_cast<VkImage>(uintptr_t{m_reader.below(4)});
-        break;
-    case 1:
-        image.format =
-            static_cast<VkFormat>(m_reader.flag() ? m_reader.below(200) : m_reader.value<uint32_t>() & kEnumBits);
-        break;
-    case 2:
-        image.width = m_reader.value<uint32_t>();
-        break;
-    case 3:
-        image.height = m_reader.below(2);
-        break;
-    case 4:
-        image.usage = m_reader.value<VkImageUsageFlags>();
-        break;
-    case 5:
-        image.generation = m_reader.below(3);
-        break;
-    case 6:
-        image.state.layout = static_cast<VkImageLayout>(m_reader.value<uint32_t>() & kEnumBits);
-        break;
-    default:
-        image.state.access = m_reader.value<VkAccessFlags>();
-        image.state.stages = m_reader.value<VkPipelineStageFlags>();
-    }
-}
-
-void Calls::damagePool(NrdUserPool& pool)
-{
-    for (uint32_t changes = m_reader.below(4); changes > 0; changes--)
-        changeImage(pool[static_cast<ResourceType>(m_reader.below(NrdUserPool::kSlotsNum + 2))]);
-}
-
 void Calls::denoise()
 {
     Identifier identifiers[kIdentifierNum];
@@ -279,7 +219,7 @@ void Calls::denoise()
     const uint32_t identifierNum = m_reader.below(4) != 0 ? m_reader.below(2) : m_reader.below(kIdentifierNum + 1);
     NrdUserPool pool;
     if (m_integration.IsCreated()) fillPool(pool, identifiers, identifierNum);
-    if (m_reader.flag()) damagePool(pool);
+    if (m_reader.flag()) fuzz::damagePool(m_reader, pool);
     const NrdUserPool before = pool;
     if (m_reader.below(8) == 0) m_device->failCreation(1 + m_reader.below(16));
     DenoiseOptions options;
@@ -315,10 +255,10 @@ void Calls::recordDiagnosis()
     for (uint32_t i = 0; i < m_denoiserNum; i++) all[i] = m_denoisers[i].identifier;
     NrdUserPool pool;
     if (m_integration.IsCreated()) fillPool(pool, all, m_denoiserNum);
-    if (m_reader.below(4) == 0) damagePool(pool);
+    if (m_reader.below(4) == 0) fuzz::damagePool(m_reader, pool);
     NrdDiagnosisImages images;
     images.diffuseFactor = images.specularDirection = pool[ResourceType::IN_MV];
-    if (m_reader.flag()) changeImage(images.diffuseFactor);
+    if (m_reader.flag()) fuzz::changeImage(m_reader, images.diffuseFactor);
     if (m_reader.below(4) == 0) m_device->failCreation(1 + m_reader.below(8));
     check(
         m_integration.RecordDiagnosis(commandBufferOf(m_reader.below(20)), pool, m_reader.flag() ? &images : nullptr));
