@@ -207,24 +207,22 @@ void App::listen(double seconds)
 
 void App::listenToKeys()
 {
-    constexpr std::array<int, 9> kKeys = {GLFW_KEY_SPACE, GLFW_KEY_N, GLFW_KEY_R,   GLFW_KEY_C,  GLFW_KEY_TAB,
-                                          GLFW_KEY_1,     GLFW_KEY_H, GLFW_KEY_F11, GLFW_KEY_F12};
-    std::array<bool, 9> isHit;
-    for (size_t i = 0; i < kKeys.size(); ++i)
+    const auto isHit = [&](int key)
     {
-        const bool isDown = m_window.isKeyDown(kKeys[i]);
-        isHit[i] = isDown && !std::exchange(m_wereKeysDown[i], isDown);
-    }
+        const bool isDown = m_window.isKeyDown(key);
+        const bool wasDown = std::exchange(m_wereKeysDown[key], isDown);
+        return isDown && !wasDown;
+    };
     ViewerState& state = m_viewer->state;
-    if (isHit[0]) state.isPaused = !state.isPaused;
-    if (isHit[1]) state.isPaused = true, state.steps = 1;
-    if (isHit[2]) state.isRestarted = true;
-    if (isHit[3]) state.isCompared = !state.isCompared;
-    if (isHit[4]) state.view = state.view == 0 ? 1 : 0; // denoised, noisy
-    if (isHit[5]) m_viewer->startCamera(CameraMode::Scene);
-    if (isHit[6]) m_isPanelHidden = !m_isPanelHidden;
-    if (isHit[7]) m_wishes.fullscreen = !m_window.isFullscreen();
-    if (isHit[8]) m_wishes.picture = "picture.png";
+    if (isHit(GLFW_KEY_SPACE)) state.isPaused = !state.isPaused;
+    if (isHit(GLFW_KEY_N)) state.isPaused = true, state.steps = 1;
+    if (isHit(GLFW_KEY_R)) state.isRestarted = true;
+    if (isHit(GLFW_KEY_C)) state.isCompared = !state.isCompared;
+    if (isHit(GLFW_KEY_TAB)) state.view = state.view == 0 ? 1 : 0; // denoised, noisy
+    if (isHit(GLFW_KEY_1)) m_viewer->startCamera(CameraMode::Scene);
+    if (isHit(GLFW_KEY_H)) m_isPanelHidden = !m_isPanelHidden;
+    if (isHit(GLFW_KEY_F11)) m_wishes.fullscreen = !m_window.isFullscreen();
+    if (isHit(GLFW_KEY_F12)) m_wishes.picture = "picture.png";
 }
 
 void App::listenToMouse()

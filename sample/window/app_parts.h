@@ -6,6 +6,8 @@
 #include "window/screen.h"
 #include "window/script.h"
 
+#include <map>
+
 namespace sample
 {
 class App
@@ -51,6 +53,6 @@ private:
     glm::vec2 m_cursor = glm::vec2(0.0f);
     bool m_isSplitHeld = false;
     bool m_isPanelHidden = false;
-    std::array<bool, 9> m_wereKeysDown = {};
+    std::map<int, bool> m_wereKeysDown; // by GLFW_KEY_...
 };
 } // namespace sample
