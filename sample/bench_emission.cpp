@@ -29,9 +29,9 @@ void check(nrd::Result result, const InstancePtr& instance)
                         (instance ? nrd::GetLastMessage(*instance) : nrd::toString(result)));
 }
 
-InstancePtr makeInstance(const ReplayDenoiser& denoiser, const ReplaySettings& settings)
+InstancePtr makeInstance(const ReplayDenoiser& denoiser, const Workload& workload, const ReplaySettings& settings)
 {
-    const nrd::DenoiserDesc row{kIdentifier, denoiser.denoiser};
+    const nrd::DenoiserDesc row = denoiserDesc(kIdentifier, denoiser, workload);
     nrd::InstanceCreationDesc desc;
     desc.denoisers = &row;
     desc.denoisersNum = 1;
@@ -48,7 +48,7 @@ InstancePtr makeInstance(const ReplayDenoiser& denoiser, const ReplaySettings& s
 Emission measureEmission(const ReplayDenoiser& denoiser, Extent size, const Workload& workload,
                          const std::vector<BenchSlot>& slots)
 {
-    const InstancePtr instance = makeInstance(denoiser, settingsOf(workload, denoiser, size, 0));
+    const InstancePtr instance = makeInstance(denoiser, workload, settingsOf(workload, denoiser, size, 0));
     const nrd::DispatchDesc* dispatches = nullptr;
     uint32_t count = 0;
     std::vector<double> times;
@@ -61,7 +61,8 @@ Emission measureEmission(const ReplayDenoiser& denoiser, Extent size, const Work
         times.push_back(std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start).count());
     }
     SlotTexels texels = {};
-    for (const BenchSlot& slot : slots) texels[static_cast<size_t>(slot.type)] = engine::texelByteSize(slot.format);
+    for (const BenchSlot& slot : slots)
+        texels[static_cast<size_t>(slot.type)] = {engine::texelByteSize(slot.format), slot.divisor};
     return {quantile(std::move(times), 0.5),
             findTraffic(nrd::GetInstanceDesc(*instance), {dispatches, count}, texels, size)};
 }

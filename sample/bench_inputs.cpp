@@ -31,10 +31,11 @@ Inputs::Inputs(const engine::Device& device, const std::vector<BenchSlot>& slots
     {
         if (slot.isOutput) continue;
         Sequence sequence{slot, {}};
+        const Extent own = divided(size, slot.divisor);
         for (uint32_t i = 0; i < kInputFrameCount; i++)
             sequence.frames.emplace_back(
-                device, engine::ImageDesc{std::string(nrd::toString(slot.type)) + " " + std::to_string(i), size.width,
-                                          size.height, slot.format});
+                device, engine::ImageDesc{std::string(nrd::toString(slot.type)) + " " + std::to_string(i), own.width,
+                                          own.height, slot.format});
         m_sequences.push_back(std::move(sequence));
     }
     const engine::ComputePipeline pipeline = makePipeline(device, m_sequences.size() * kInputFrameCount);
@@ -42,7 +43,7 @@ Inputs::Inputs(const engine::Device& device, const std::vector<BenchSlot>& slots
     {
         engine::Image& image = sequence.frames[frame];
         BenchConstants constants = traceConstants(workload, size, frame);
-        constants.target = {sequence.slot.content, sequence.slot.isSpecular ? 1u : 0u, 0, 0};
+        constants.target = {sequence.slot.content, sequence.slot.isSpecular ? 1u : 0u, sequence.slot.divisor, 0};
         engine::transition(cmd, image, engine::kStorage);
         pipeline.dispatch(cmd, pipeline.createSet({image}), std::as_bytes(std::span(&constants, 1)),
                           {engine::groupCount(size.width, kGroupSize), engine::groupCount(size.height, kGroupSize), 1});

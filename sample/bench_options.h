@@ -2,6 +2,8 @@
 #pragma once
 #include "replay_settings.h"
 
+#include <nrd/descs.h>
+
 #include <optional>
 
 namespace sample::bench
@@ -12,6 +14,12 @@ struct Extent
     uint32_t height = 0;
 };
 
+// Rounded up.
+constexpr Extent divided(Extent size, uint32_t divisor)
+{
+    return {(size.width + divisor - 1) / divisor, (size.height + divisor - 1) / divisor};
+}
+
 // What is measured, whatever the denoiser and the size.
 struct Workload
 {
@@ -20,7 +28,10 @@ struct Workload
     uint32_t frameCount = 96;         // measured, after warm-up
     float skyShare = 0.02f;           // of the picture, [0; 0.25]
     bool isStatic = false;            // the camera stands still
+    uint32_t signalDivisor = 1;       // [1; 8], of the noisy signals' size; upsampled
 };
+
+nrd::DenoiserDesc denoiserDesc(nrd::Identifier identifier, const ReplayDenoiser& denoiser, const Workload& workload);
 
 struct Options
 {

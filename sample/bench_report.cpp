@@ -86,6 +86,7 @@ Json toJson(const Report& report, const Result& result)
     for (const auto& [key, value] : report.workload.settings) json["settings"][key] = value;
     if (report.bytesPerSecond > 0.0) json["copyGBPerSecond"] = report.bytesPerSecond * 1e-9;
     if (result.cpu) json["input"] = {{"static", report.workload.isStatic}, {"frames", report.workload.frameCount}};
+    if (report.workload.signalDivisor > 1) json["input"]["signalDivisor"] = report.workload.signalDivisor;
     if (result.skyPercent) json["input"]["skyPercent"] = *result.skyPercent;
     if (result.gpu) json["gpuMs"] = gpuJson(report, *result.gpu);
     const double sum = result.memory.permanent + result.memory.transient;

@@ -43,7 +43,7 @@ Run::Run(const RunDesc& desc) : m_desc(desc)
     creation.framesInFlight = kFramesInFlight;
     creation.isGpuTimingEnabled = true;
     creation.createDefaultPipelines = true; // so that their time is Create()'s
-    const nrd::DenoiserDesc denoiser{kIdentifier, desc.denoiser.denoiser};
+    const nrd::DenoiserDesc denoiser = denoiserDesc(kIdentifier, desc.denoiser, desc.workload);
     nrd::InstanceCreationDesc instance;
     instance.denoisers = &denoiser;
     instance.denoisersNum = 1;
@@ -75,8 +75,11 @@ void Run::createImages()
     m_inputs.emplace(m_desc.device, m_slots, m_desc.workload, m_desc.size);
     for (const BenchSlot& slot : m_slots)
         if (slot.isOutput)
-            m_outputs.emplace_back(m_desc.device, engine::ImageDesc{nrd::toString(slot.type), m_desc.size.width,
-                                                                    m_desc.size.height, slot.format});
+        {
+            const Extent size = divided(m_desc.size, slot.divisor);
+            m_outputs.emplace_back(m_desc.device,
+                                   engine::ImageDesc{nrd::toString(slot.type), size.width, size.height, slot.format});
+        }
 }
 
 void Run::beginFrame()

@@ -88,6 +88,7 @@ std::vector<BenchSlot> requiredSlots(const nrd::Instance& instance, nrd::Identif
             throw engine::Error(std::string("nrd-bench cannot generate ") + nrd::toString(requirements[i].type) +
                                 ", which " + denoiser.name + " needs under these settings");
         slots.push_back(*slot);
+        slots.back().divisor = requirements[i].sizeDivisor;
         // Of a shadow without colour one channel.
         if (requirements[i].minFormat == nrd::Format::R8_UNORM && slot->format == kRgba8)
             slots.back().format = VK_FORMAT_R8_UNORM;

@@ -17,6 +17,7 @@ struct BenchSlot
     uint32_t content; // inputs: BENCH_...
     bool isSpecular;  // of the content
     bool isOutput;
+    uint32_t divisor = 1; // of the size
 };
 
 // Null when the benchmark cannot generate the slot for that family.

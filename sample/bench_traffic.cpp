@@ -23,7 +23,10 @@ uint64_t byteSize(const nrd::InstanceDesc& instance, const nrd::ResourceDesc& re
     }
     const bool isPermanent = resource.type == nrd::ResourceType::PERMANENT_POOL;
     if (!isPermanent && resource.type != nrd::ResourceType::TRANSIENT_POOL)
-        return uint64_t(slots[static_cast<size_t>(resource.type)]) * size.width * size.height;
+    {
+        const SlotTexel& slot = slots[static_cast<size_t>(resource.type)];
+        return slot.byteSize * divideUp(size.width, slot.divisor) * divideUp(size.height, slot.divisor);
+    }
     const nrd::TextureDesc& texture =
         (isPermanent ? instance.permanentPool : instance.transientPool)[resource.indexInPool];
     const uint32_t factor = std::max<uint32_t>(texture.downsampleFactor, 1);

@@ -9,8 +9,12 @@
 
 namespace sample::bench
 {
-// Bytes per texel by user-pool slot; 0 where there is no image.
-using SlotTexels = std::array<uint32_t, static_cast<size_t>(nrd::ResourceType::TRANSIENT_POOL)>;
+struct SlotTexel
+{
+    uint32_t byteSize = 0; // 0 where there is no image
+    uint32_t divisor = 1;  // of the size
+};
+using SlotTexels = std::array<SlotTexel, static_cast<size_t>(nrd::ResourceType::TRANSIENT_POOL)>; // by slot
 
 struct PassTraffic
 {

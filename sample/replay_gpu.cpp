@@ -98,7 +98,8 @@ void ReplayGpu::createIntegration()
     creation.resourceHeight = static_cast<uint16_t>(m_info.height);
     creation.framesInFlight = 1; // every frame is waited for
     creation.isGpuTimingEnabled = true;
-    const nrd::DenoiserDesc denoiser{kIdentifier, m_denoiser.denoiser};
+    nrd::DenoiserDesc denoiser{kIdentifier, m_denoiser.denoiser, m_desc.signalDivisor};
+    denoiser.isUpsampled = m_desc.signalDivisor > 1;
     nrd::InstanceCreationDesc instance;
     instance.denoisers = &denoiser;
     instance.denoisersNum = 1;
@@ -159,9 +160,10 @@ void ReplayGpu::createImage(const nrd::ResourceRequirement& requirement)
                 throw engine::Error("the capture has no channel " + std::string(channelInfo(channel).name) +
                                     ", which " + m_denoiser.name + " needs for " + name);
     }
-    const engine::ImageDesc desc = {name, static_cast<uint32_t>(m_info.width), static_cast<uint32_t>(m_info.height),
-                                    row->format};
-    m_slots.push_back({*row, engine::Image(*m_device, desc), VK_NULL_HANDLE, {}});
+    const uint32_t divisor = requirement.sizeDivisor;
+    const engine::ImageDesc desc = {name, engine::groupCount(static_cast<uint32_t>(m_info.width), divisor),
+                                    engine::groupCount(static_cast<uint32_t>(m_info.height), divisor), row->format};
+    m_slots.push_back({*row, engine::Image(*m_device, desc), divisor, VK_NULL_HANDLE, {}});
 }
 
 void ReplayGpu::createPackSet(Slot& slot)
@@ -241,6 +243,7 @@ void ReplayGpu::recordPack(VkCommandBuffer cmd, Slot& slot, const ReplaySettings
                             isMix ? m_desc.disocclusionMix : m_desc.confidence,
                             static_cast<uint32_t>(mode),
                             settings.common.frameIndex};
+    constants.stride = slot.divisor;
     setLight(constants, m_desc.capture.info(), m_frameIndex);
     m_packing.pack(cmd, slot.set, constants);
 }
@@ -256,6 +259,8 @@ void ReplayGpu::recordUnpack(VkCommandBuffer cmd, Slot& slot)
     {
         engine::transition(cmd, reading.values, engine::kStorage);
         constants.mode = reading.mode;
+        constants.size[0] = reading.values.desc().width;
+        constants.size[1] = reading.values.desc().height;
         m_packing.unpack(cmd, reading.set, constants);
     }
 }
@@ -295,8 +300,7 @@ ReplayedFrame ReplayGpu::denoise(const Planes& frame, bool isWanted)
 ReplayedFrame ReplayGpu::read(const Planes& frame, bool isHistoryLength)
 {
     const Mask surface = surfaceMask(frame, m_info.denoisingRange);
-    const Picture overlay(frame.width, frame.height, 4), colour(frame.width, frame.height, 3),
-        scalar(frame.width, frame.height, 1);
+    const Picture colour(frame.width, frame.height, 3), scalar(frame.width, frame.height, 1);
     ReplayedFrame result;
     for (Slot& slot : m_slots)
     {
@@ -305,6 +309,8 @@ ReplayedFrame ReplayGpu::read(const Planes& frame, bool isHistoryLength)
             const std::vector<float> values = engine::readBackAs<float>(*m_device, reading.values);
             const SlotRow& row = slot.row;
             Signals& signals = reading.isExtracted ? result.extracted : result.signals;
+            const engine::ImageDesc& desc = reading.values.desc();
+            const Picture overlay(static_cast<int>(desc.width), static_cast<int>(desc.height), 4);
             if (row.type == nrd::ResourceType::OUT_VALIDATION) result.overlay = pictureOf(values, {}, overlay, 0.0f);
             const auto isWanted = [&](Signal signal) { return contains(m_denoiser.signals, signal); };
             if (row.radiance && isWanted(*row.radiance))

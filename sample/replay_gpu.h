@@ -33,8 +33,9 @@ struct ReplayGpuDesc
     bool validation = false;
     nrd::Quality preset = nrd::Quality::BALANCED;
     ShResolve resolve = ShResolve::Restore;
-    float confidence = 1.0f;                              // [0; 1], of every pixel where the settings ask for it
-    float disocclusionMix = 0.0f;                         // [0; 1], likewise
+    float confidence = 1.0f;      // [0; 1], of every pixel where the settings ask for it
+    float disocclusionMix = 0.0f; // [0; 1], likewise
+    uint32_t signalDivisor = 1; // [1; 8], of the noisy signals only the pixels of every such row and column, upsampled
     bool isOverlayWanted = false;                         // of enableValidation
     std::shared_ptr<engine::Device> openDevice = nullptr; // of createReplayDevice(), in place of the two above
 };
@@ -85,6 +86,7 @@ private:
     {
         SlotRow row;
         engine::Image image;
+        uint32_t divisor = 1;                 // of the capture's size
         VkDescriptorSet set = VK_NULL_HANDLE; // inputs
         std::vector<Reading> readings;        // outputs
     };

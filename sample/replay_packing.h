@@ -18,6 +18,7 @@ struct PackConstants
     uint32_t lightKind = 0; // REPLAY_LIGHT_...
     float light[4] = {};    // .xyz view space, of local lights; .w radius, or tangent of the angular radius
     float frustum[4] = {};
+    uint32_t stride = 1; // pixels of the layer from one of the slot to the next
 };
 
 // The light of a frame and the frame's frustum into the constants; nothing without a light.

@@ -62,6 +62,7 @@ Json toJson(const ReplayReport& report)
     if (!report.device.empty()) json["preset"] = nameOf(report.preset);
     json["settings"] = Json::object();
     for (const auto& [key, value] : report.settings) json["settings"][key] = value;
+    if (report.signalDivisor > 1) json["signalDivisor"] = report.signalDivisor;
     if (report.gpuMs) json["gpuMs"] = gpuJson(report);
     if (report.memory)
         json["memoryMiB"] = {{"permanent", report.memory->permanent},

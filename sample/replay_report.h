@@ -25,6 +25,7 @@ struct ReplayReport
     int height = 0;
     nrd::Quality preset = nrd::Quality::BALANCED;
     std::vector<Assignment> settings; // what --set changed on top of it
+    uint32_t signalDivisor = 1;       // of a side
     std::optional<double> gpuMs;                               // median of the frames' totals
     std::vector<PassReport> passes;                            // medians
     struct Memory

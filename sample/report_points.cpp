@@ -19,6 +19,7 @@ struct PointRow
     const char* name;
     Quality preset;
     std::vector<Assignment> settings;
+    uint32_t signalDivisor = 1;
 };
 
 // clang-format off
@@ -37,6 +38,7 @@ const std::vector<PointRow>& rows()
         {Family::Reblur, "history 63",       kDefault, {{"maxAccumulatedFrameNum", "63"}}},
         {Family::Reblur, "radius 15",        kDefault, {{"maxBlurRadius", "15"}}},
         {Family::Reblur, "radius 60",        kDefault, {{"maxBlurRadius", "60"}}},
+        {Family::Reblur, "half resolution",  kDefault, {}, 2},
         {Family::Relax, "FAST",         Quality::FAST, {}},
         {Family::Relax, "BALANCED",     kDefault,      {}},
         {Family::Relax, "BEST",         Quality::BEST, {}},
@@ -49,10 +51,12 @@ const std::vector<PointRow>& rows()
         {Family::Relax, "5 iterations", kDefault, {{"atrousIterationNum", "5"}}},
         {Family::Relax, "history 63",   kDefault, {{"diffuseMaxAccumulatedFrameNum", "63"},
                                                    {"specularMaxAccumulatedFrameNum", "63"}}},
+        {Family::Relax, "half resolution", kDefault, {}, 2},
         {Family::Sigma, "BALANCED",         kDefault, {}},
         {Family::Sigma, "no stabilisation", kDefault, {{"maxStabilizedFrameNum", "0"}}},
         {Family::Sigma, "stabilised 4",     kDefault, {{"maxStabilizedFrameNum", "4"}}},
         {Family::Sigma, "stabilised 15",    kDefault, {{"maxStabilizedFrameNum", "15"}}},
+        {Family::Sigma, "half resolution",  kDefault, {}, 2},
         {Family::Reference, "default", kDefault, {}},
     };
     return table;
@@ -77,7 +81,7 @@ std::vector<Point> pointsOf(Family family)
 {
     std::vector<Point> points;
     for (const PointRow& row : rows())
-        if (row.family == family) points.push_back({row.name, row.preset, row.settings});
+        if (row.family == family) points.push_back({row.name, row.preset, row.settings, row.signalDivisor});
     return points;
 }
 

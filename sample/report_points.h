@@ -11,6 +11,7 @@ struct Point
     std::string name;
     nrd::Quality preset = nrd::Quality::BALANCED;
     std::vector<Assignment> settings; // on top of the preset
+    uint32_t signalDivisor = 1;       // of a side
 };
 
 // The presets, then the settings that matter most to speed, one changed at a time.

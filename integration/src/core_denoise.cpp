@@ -115,14 +115,14 @@ void Core::checkRequest(rhi::Span<const Identifier> identifiers, const NrdUserPo
 
 void Core::checkUserPool(const DenoiserState& denoiser, const NrdUserPool& userPool) const
 {
-    const uint32_t divisor = denoiser.desc.resolutionDivisor;
-    const SlotRules rules = {(m_desc.resourceWidth + divisor - 1) / divisor,
-                             (m_desc.resourceHeight + divisor - 1) / divisor, description().normalEncoding};
     const ResourceRequirement* needs = nullptr;
     uint32_t needCount = 0;
     check(GetRequiredResources(*m_instance, denoiser.desc.identifier, needs, needCount));
     for (uint32_t i = 0; i < needCount; i++)
     {
+        const uint32_t divisor = needs[i].sizeDivisor;
+        const SlotRules rules = {(m_desc.resourceWidth + divisor - 1) / divisor,
+                                 (m_desc.resourceHeight + divisor - 1) / divisor, description().normalEncoding};
         const std::string error = findError(userPool[needs[i].type], needs[i], rules, toString(denoiser.desc.denoiser));
         if (!error.empty()) throw Refusal(Result::INVALID_ARGUMENT, error);
     }

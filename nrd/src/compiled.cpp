@@ -16,6 +16,11 @@ uint16_t factorOf(const CompiledDenoiser& denoiser, const Texture& texture)
     return static_cast<uint16_t>(std::min(factor, uint32_t{kOneTexel}));
 }
 
+uint16_t outputDivisor(const CompiledDenoiser& denoiser)
+{
+    return denoiser.program.isUpsampled ? uint16_t{1} : denoiser.resolutionDivisor;
+}
+
 void addPermanentTextures(CompiledDenoiser& denoiser, std::pmr::vector<TextureDesc>& pool)
 {
     for (const Texture& texture : denoiser.program.textures)
@@ -80,7 +85,7 @@ public:
         if (!binding.isTexture())
         {
             if (m_denoiser.program.family->areOutputsCleared && isSignal(binding.type))
-                add(binding.type, 0, Format::RGBA16_SFLOAT, m_denoiser.resolutionDivisor);
+                add(binding.type, 0, Format::RGBA16_SFLOAT, outputDivisor(m_denoiser));
             return;
         }
         const Texture& texture = m_denoiser.program.textures[binding.texture];
@@ -178,8 +183,8 @@ void compile(const InstanceCreationDesc& desc, Compiled& compiled)
         CompiledDenoiser& denoiser = compiled.denoisers.emplace_back();
         denoiser.identifier = desc.denoisers[i].identifier;
         denoiser.resolutionDivisor = static_cast<uint16_t>(desc.denoisers[i].resolutionDivisor);
-        denoiser.program =
-            expand(findVariant(desc.denoisers[i].denoiser, keptBy(desc.denoisers[i])), desc.normalEncoding);
+        denoiser.program = expand(findVariant(desc.denoisers[i].denoiser, keptBy(desc.denoisers[i])),
+                                  desc.normalEncoding, isUpsampled(desc.denoisers[i]));
         denoiser.settings = denoiser.program.family->defaults;
         addPermanentTextures(denoiser, compiled.permanentPool);
     }

@@ -102,7 +102,7 @@ void Instance::emitPass(const CompiledDenoiser& denoiser, size_t index, const Co
         (last->constantBufferData == m_constantBlock ||
          std::memcmp(last->constantBufferData, m_constantBlock, byteSize) == 0);
 
-    const uint16_t(&rect)[2] = conditions.common.rectSize;
+    const uint16_t(&rect)[2] = pass.row->isFullSize ? m_common.rectSize : conditions.common.rectSize;
     dispatch.gridWidth = divideUp(divideUp(rect[0], pass.row->gridFactor), pass.row->group.x);
     dispatch.gridHeight = divideUp(divideUp(rect[1], pass.row->gridFactor), pass.row->group.y);
     dispatch.indirectBufferIndex = kNoBuffer;
@@ -124,11 +124,15 @@ void Instance::emit(CompiledDenoiser& denoiser)
     const bool isCleared = !last.isCleared || mode == AccumulationMode::CLEAR_AND_RESTART;
     const bool isReset = isCleared || !last.isValid || mode == AccumulationMode::RESTART || isCut(m_common, last);
 
-    const CommonSettings resized = atResolution(m_common, denoiser.resolutionDivisor);
+    const bool isUpsampled = denoiser.program.isUpsampled;
+    const CommonSettings resized = isUpsampled ? atPickedPixels(m_common, denoiser.resolutionDivisor)
+                                               : atResolution(m_common, denoiser.resolutionDivisor);
     const CommonSettings common = isReset ? withoutPreviousFrame(resized) : resized;
     const FrameState frame = makeFrameState(common, m_frameRateScale);
     const Variant& variant = *denoiser.program.variant;
-    const Request request = {common, denoiser.settings, frame, last, variant, isReset};
+    const uint32_t guideStride = isUpsampled ? denoiser.resolutionDivisor : 1u;
+    const CommonSettings& full = isUpsampled ? m_common : common;
+    const Request request = {common, full, denoiser.settings, frame, last, variant, isReset, guideStride};
     m_constantBlock = emitConstants(denoiser, request);
 
     if (isCleared) emitClears(denoiser);

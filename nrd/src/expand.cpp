@@ -1,5 +1,6 @@
 #include "expand.h"
 #include "denoisers/families.h"
+#include "upsampling.h"
 #include <algorithm>
 
 namespace nrd
@@ -26,6 +27,8 @@ Format formatOf(const TextureFormat& format, const Variant& variant, size_t sign
         return variant.lobes == kBoth ? Format::RG8_UNORM : Format::R8_UNORM;
     case FormatRule::PerSignal:
         return variant.signals[signal].format;
+    case FormatRule::PerOutput:
+        return outputFormat(variant);
     case FormatRule::Guide:
         return guideFormat(encoding);
     }
@@ -37,18 +40,17 @@ bool isInOutput(const TextureRow& row, const SignalRow& signal)
     return row.lifetime == Lifetime::Lent && signal.lendsOutput;
 }
 
-void addTextures(Program& program, NormalEncoding encoding)
+bool isPerSignal(FormatRule rule) { return rule == FormatRule::PerSignal || rule == FormatRule::PerOutput; }
+
+void addTexture(Program& program, const TextureRow& row, NormalEncoding encoding)
 {
-    for (const TextureRow& row : program.family->textures)
+    if (!has(*program.variant, row.having)) return;
+    const size_t num = isPerSignal(row.format.rule) ? program.variant->signals.size() : 1;
+    for (size_t signal = 0; signal < num; signal++)
     {
-        if (!has(*program.variant, row.having)) continue;
-        const size_t num = row.format.rule == FormatRule::PerSignal ? program.variant->signals.size() : 1;
-        for (size_t signal = 0; signal < num; signal++)
-        {
-            if (isInOutput(row, program.variant->signals[signal])) continue;
-            program.textures.push(
-                {&row, static_cast<uint8_t>(signal), formatOf(row.format, *program.variant, signal, encoding)});
-        }
+        if (isInOutput(row, program.variant->signals[signal])) continue;
+        program.textures.push(
+            {&row, static_cast<uint8_t>(signal), formatOf(row.format, *program.variant, signal, encoding)});
     }
 }
 
@@ -62,19 +64,38 @@ uint8_t findTexture(const Program& program, uint8_t key, size_t signal)
     return 0; // a table that names a texture its variant lacks is caught by the unit tests
 }
 
+// Where a signal's result goes: to the user, or first to what is upsampled.
+Binding bindOutput(const Program& program, size_t signal)
+{
+    if (!program.isUpsampled) return {program.variant->signals[signal].output, 0, false};
+    return {ResourceType::MAX_NUM, findTexture(program, kSmallOutput.key, signal), false};
+}
+
+// Tables name an output as such, or as the user's slot.
+Binding bindUser(const Program& program, ResourceType type)
+{
+    const auto& signals = program.variant->signals;
+    for (size_t i = 0; i < signals.size(); i++)
+        if (signals[i].output == type) return bindOutput(program, i);
+    return {type, 0, false};
+}
+
 Binding bind(const Program& program, const Place& place, size_t signal)
 {
     const SignalRow& row = program.variant->signals[signal];
     switch (place.source)
     {
     case Source::User:
-        return {static_cast<ResourceType>(place.index), 0, false};
+        return bindUser(program, static_cast<ResourceType>(place.index));
     case Source::SignalInput:
         return {row.input, 0, false};
     case Source::SignalOutput:
+        return bindOutput(program, signal);
+    case Source::UserOutput:
         return {row.output, 0, false};
     case Source::Table:
-        if (isInOutput(program.family->textures[place.index], row)) return {row.output, 0, false};
+        if (place.index != kSmallOutput.key && isInOutput(program.family->textures[place.index], row))
+            return bindOutput(program, signal);
         break;
     }
     return {ResourceType::MAX_NUM, findTexture(program, place.index, place.isEach ? signal : 0), place.isPrevious};
@@ -137,26 +158,31 @@ Shader shaderOf(const PassRow& row, const VariantOfFamily& which)
     for (size_t i = 0; i < which.variant; i++) index += has(which.family->variants[i], row.having) ? 1 : 0;
     return row.shaders[index];
 }
+
+void addPass(Program& program, const PassRow& row, Shader shader)
+{
+    Pass pass;
+    pass.row = &row;
+    pass.shader = shader;
+    addSlots(program, row.reads, pass.reads);
+    addSlots(program, row.writes, pass.writes);
+    for (const SwitchRow& toggle : row.switches)
+        if (has(*program.variant, toggle.having)) pass.switches.push(toggle);
+    program.passes.push(pass);
+}
 } // namespace
 
-Program expand(const VariantOfFamily& which, NormalEncoding encoding)
+Program expand(const VariantOfFamily& which, NormalEncoding encoding, bool isUpsampled)
 {
     Program program;
     program.family = which.family;
     program.variant = &which.family->variants[which.variant];
-    addTextures(program, encoding);
+    program.isUpsampled = isUpsampled;
+    for (const TextureRow& row : which.family->textures) addTexture(program, row, encoding);
+    if (isUpsampled) addTexture(program, kSmallOutput, encoding);
     for (const PassRow& row : which.family->passes)
-    {
-        if (!has(*program.variant, row.having)) continue;
-        Pass pass;
-        pass.row = &row;
-        pass.shader = shaderOf(row, which);
-        addSlots(program, row.reads, pass.reads);
-        addSlots(program, row.writes, pass.writes);
-        for (const SwitchRow& toggle : row.switches)
-            if (has(*program.variant, toggle.having)) pass.switches.push(toggle);
-        program.passes.push(pass);
-    }
+        if (has(*program.variant, row.having)) addPass(program, row, shaderOf(row, which));
+    if (isUpsampled) addPass(program, kUpsample, upsampler(*program.variant));
     return program;
 }
 

@@ -56,6 +56,7 @@ struct Program
 {
     const Family* family = nullptr;
     const Variant* variant = nullptr;
+    bool isUpsampled = false;
     FixedList<Texture, 32> textures;
     FixedList<Pass, 20> passes;
 };
@@ -67,8 +68,9 @@ struct VariantOfFamily
 };
 
 VariantOfFamily findVariant(Denoiser denoiser, Keeps keeps = Keeps::History);
+inline bool isUpsampled(const DenoiserDesc& desc) { return desc.isUpsampled && desc.resolutionDivisor > 1; }
 inline Keeps keptBy(const DenoiserDesc& desc) { return desc.hasHistory ? Keeps::History : Keeps::Nothing; }
-Program expand(const VariantOfFamily& which, NormalEncoding encoding);
+Program expand(const VariantOfFamily& which, NormalEncoding encoding, bool isUpsampled = false);
 Format guideFormat(NormalEncoding encoding);
 
 // First and last pass in which the texture is bound, whatever the settings.

@@ -163,6 +163,56 @@ CommonSettings atResolution(const CommonSettings& common, uint32_t divisor)
     return result;
 }
 
+namespace
+{
+// uv of the full screen = uv of the picked pixels' screen * scale + offset
+struct ScreenMap
+{
+    double scale[2], offset[2];
+};
+
+ScreenMap mapPickedPixels(const uint16_t (&rectSize)[2], uint32_t divisor)
+{
+    ScreenMap map;
+    for (size_t axis = 0; axis < 2; axis++)
+    {
+        const uint32_t picked = (rectSize[axis] + divisor - 1) / divisor;
+        map.scale[axis] = static_cast<double>(picked * divisor) / rectSize[axis];
+        map.offset[axis] = 0.5 * (1.0 - divisor) / rectSize[axis];
+    }
+    return map;
+}
+
+// Clip space of a screen that is a piece of the given one, or reaches beyond it. Down the screen, y of clip space
+// falls.
+void crop(float (&viewToClip)[16], const ScreenMap& map)
+{
+    for (size_t axis = 0; axis < 2; axis++)
+    {
+        const double shift = (1.0 - 2.0 * map.offset[axis]) / map.scale[axis] - 1.0;
+        for (size_t column = 0; column < 4; column++)
+        {
+            float& element = viewToClip[4 * column + axis];
+            const double w = viewToClip[4 * column + 3];
+            element = static_cast<float>(element / map.scale[axis] + (axis == 0 ? shift : -shift) * w);
+        }
+    }
+}
+} // namespace
+
+CommonSettings atPickedPixels(const CommonSettings& common, uint32_t divisor)
+{
+    CommonSettings result = atResolution(common, divisor);
+    std::copy(std::begin(common.rectOrigin), std::end(common.rectOrigin), result.rectOrigin);
+    const ScreenMap map = mapPickedPixels(common.rectSize, divisor);
+    crop(result.viewToClipMatrix, map);
+    crop(result.viewToClipMatrixPrev, mapPickedPixels(common.rectSizePrev, divisor));
+    if (common.isMotionVectorInWorldSpace) return result;
+    for (size_t axis = 0; axis < 2; axis++)
+        result.motionVectorScale[axis] = static_cast<float>(common.motionVectorScale[axis] / map.scale[axis]);
+    return result;
+}
+
 double angleBetween(const float (&a)[16], const float (&b)[16])
 {
     double trace = 0.0;

@@ -50,6 +50,9 @@ CommonSettings withoutPreviousFrame(const CommonSettings& common);
 
 // A denoiser of a lower resolution: everything in pixels shrinks, sizes are rounded up.
 CommonSettings atResolution(const CommonSettings& common, uint32_t divisor);
+// The same for signals whose pixel p was traced from pixel p * divisor: its screen ends half a pixel of the signals
+// around the outermost of these, so views and motion are those of that screen.
+CommonSettings atPickedPixels(const CommonSettings& common, uint32_t divisor);
 
 // Share of this frame's view directions that were inside the last frustum; translation is left to the device, which
 // knows depths. Orthographic views overlap as long as they look roughly the same way.

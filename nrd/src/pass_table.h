@@ -85,7 +85,8 @@ enum class Source : uint8_t
     User,
     Table,
     SignalInput,
-    SignalOutput
+    SignalOutput,
+    UserOutput // the user's, also where results are upsampled on their way there
 };
 
 struct Place
@@ -149,6 +150,7 @@ enum class FormatRule : uint8_t
     PerLobes,  // one scalar per lobe in one texture: first for one lobe, second for two
     Luma,      // the same, half floats for colour, 8 bits for what lies in [0; 1]
     PerSignal, // one texture per signal of the variant, in the signal's format
+    PerOutput, // the same, in a format that holds what the signal's output does
     Guide      // as IN_NORMAL_ROUGHNESS
 };
 
@@ -249,7 +251,8 @@ struct PassRow
     FixedList<SwitchRow, 5> switches = {}; // each doubles the number of pipelines
     uint16_t gridFactor = 1;               // the grid covers ceil(rect / gridFactor)
     Having having = {};
-    uint8_t step = 0; // SPEC_STEP, for passes that run one shader several times
+    uint8_t step = 0;        // SPEC_STEP, for passes that run one shader several times
+    bool isFullSize = false; // the grid covers the rectangle of the guides, also where signals are smaller
 };
 
 struct FrameState;
@@ -270,12 +273,14 @@ struct RequestHistory
 
 struct Request
 {
-    const CommonSettings& common; // on reset the previous values are the current ones
+    const CommonSettings& common; // of the signals' size; on reset the previous values are the current ones
+    const CommonSettings& full;   // of the guides' size, where signals are smaller
     const FamilySettings& settings;
     const FrameState& frame;
     const RequestHistory& history; // of the last request
     const Variant& variant;
     bool isReset;
+    uint32_t guideStride; // in pixels of the guides, from one pixel of the signals to the next
 };
 
 constexpr size_t kConstantMaxByteSize = 1024;

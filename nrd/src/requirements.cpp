@@ -1,5 +1,6 @@
 // Which user-pool slots a denoiser needs, and in which format: derived from its passes.
 #include "instance.h"
+#include <algorithm>
 
 namespace nrd
 {
@@ -69,6 +70,17 @@ struct Need
 
 constexpr size_t kUserSlotNum = static_cast<size_t>(ResourceType::TRANSIENT_POOL);
 
+// Where signals are smaller than guides: what is not a noisy input of the pixels that were traced.
+bool isFullSize(ResourceType type, const Program& program)
+{
+    if (!program.isUpsampled) return false;
+    const bool isGuide =
+        type == ResourceType::IN_MV || type == ResourceType::IN_NORMAL_ROUGHNESS || type == ResourceType::IN_VIEWZ;
+    const auto& signals = program.variant->signals;
+    return isGuide || std::any_of(signals.begin(), signals.end(),
+                                  [type](const SignalRow& signal) { return signal.output == type; });
+}
+
 template <class Slots>
 void addNeeds(const Slots& slots, bool isRunning, const Conditions& conditions, Need (&needs)[kUserSlotNum])
 {
@@ -111,7 +123,8 @@ Result Instance::getRequiredResources(Identifier identifier, const ResourceRequi
         if (!read.isBound && !written.isBound) continue;
         m_requirements.push({type, written.isBound ? DescriptorType::STORAGE_TEXTURE : DescriptorType::TEXTURE,
                              read.isRequired || written.isRequired, read.isBound && written.isBound,
-                             minFormat(type, conditions)});
+                             minFormat(type, conditions),
+                             isFullSize(type, program) ? 1u : denoiser->resolutionDivisor});
     }
     requirements = m_requirements.begin();
     num = static_cast<uint32_t>(m_requirements.size());

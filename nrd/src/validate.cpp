@@ -105,14 +105,20 @@ void checkDenoisers(Error& error, const InstanceCreationDesc& desc)
         if (!error && !findVariant(denoiser.denoiser, keptBy(denoiser)).family)
         {
             error.result = Result::INVALID_ARGUMENT;
-            error.text << "InstanceCreationDesc::denoisers[" << i << "].hasHistory is 0, expected 1: "
-                       << toString(denoiser.denoiser) << " does not work without";
+            error.text << "InstanceCreationDesc::denoisers[" << i
+                       << "].hasHistory is 0, expected 1: " << toString(denoiser.denoiser) << " does not work without";
         }
         if (!error && (denoiser.resolutionDivisor < 1 || denoiser.resolutionDivisor > 8))
         {
             error.result = Result::INVALID_ARGUMENT;
             error.text << "InstanceCreationDesc::denoisers[" << i << "].resolutionDivisor is "
                        << denoiser.resolutionDivisor << ", expected [1; 8]";
+        }
+        if (!error && denoiser.isUpsampled && denoiser.denoiser == Denoiser::REFERENCE)
+        {
+            error.result = Result::INVALID_ARGUMENT;
+            error.text << "InstanceCreationDesc::denoisers[" << i
+                       << "].isUpsampled is 1, expected 0: REFERENCE knows no guides to upsample along";
         }
         for (uint32_t j = 0; j < i && !error; j++)
         {

@@ -34,7 +34,7 @@ struct BenchConstants
     vec4 sky;                   // .x share of the picture [0; 0.25], .y its view depth
     vec4 hitDistanceParameters; // .xyz A, B, C
     uvec4 frame;                // .xy pixels, .z seed
-    uvec4 target;               // .x BENCH_..., .y 1: the specular lobe
+    uvec4 target;               // .x BENCH_..., .y 1: the specular lobe, .z pixels from one texel to the next
 };
 
 #ifdef __cplusplus

@@ -133,11 +133,12 @@ vec4 packPixel(Hit hit, vec3 o, vec3 d, uint seed)
 void main()
 {
     uvec2 id = gl_GlobalInvocationID.xy;
-    if (any(greaterThanEqual(id, g.frame.xy))) return;
-    vec2 uv = (vec2(id) + 0.5 + g.view.zw) / vec2(g.frame.xy);
+    uvec2 pixel = id * g.target.z;
+    if (any(greaterThanEqual(pixel, g.frame.xy))) return;
+    vec2 uv = (vec2(pixel) + 0.5 + g.view.zw) / vec2(g.frame.xy);
     vec3 v = vec3((2.0 * uv.x - 1.0) * g.view.x, (1.0 - 2.0 * uv.y) * g.view.y, 1.0);
     float c = cos(g.camera.w), s = sin(g.camera.w);
     vec3 d = normalize(vec3(c * v.x + s * v.z, v.y, c * v.z - s * v.x));
     Hit hit = trace(g.camera.xyz, d);
-    imageStore(gOut_Input, ivec2(id), packPixel(hit, g.camera.xyz, d, seedPixel(ivec2(id), g.frame.z)));
+    imageStore(gOut_Input, ivec2(id), packPixel(hit, g.camera.xyz, d, seedPixel(ivec2(pixel), g.frame.z)));
 }

@@ -24,6 +24,7 @@ layout(push_constant) uniform Constants
     uint lightKind; // REPLAY_LIGHT_...
     vec4 light;     // .xyz view space, of local lights; .w radius, or tangent of the angular radius
     vec4 frustum;   // .xy slopes x/z, y/z at uv (0, 0), .zw their change to (1, 1)
+    uint stride;    // pixels of the layer from one of the slot to the next
 }
 g;
 
@@ -82,7 +83,7 @@ vec4 pack(ivec2 pixel)
 void main()
 {
     uvec2 id = gl_GlobalInvocationID.xy;
-    if (any(greaterThanEqual(id, g.size))) return;
+    if (any(greaterThanEqual(id * g.stride, g.size))) return;
     if (!hasCheckerboardSample(ivec2(id), g.frameIndex, g.checkerboardMode, g.isDiffuse != 0u)) return;
-    imageStore(gOut_Slot, packedPixel(ivec2(id), g.checkerboardMode), pack(ivec2(id)));
+    imageStore(gOut_Slot, packedPixel(ivec2(id), g.checkerboardMode), pack(ivec2(id * g.stride)));
 }

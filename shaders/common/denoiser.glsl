@@ -22,7 +22,7 @@ ivec2 mirrorPixel(ivec2 pixel)
     pixel = abs(pixel);
     return clampToRect(min(pixel, 2 * g.rectSizeMinusOne - pixel));
 }
-ivec2 guideTexel(ivec2 pixel) { return pixel + g.rectOrigin; }
+ivec2 guideTexel(ivec2 pixel) { return pixel * g.guideStride + g.rectOrigin; }
 vec2 pixelUv(ivec2 pixel) { return (vec2(pixel) + 0.5) * g.rectSizeInv; }
 
 // 1e-4 keeps the frustum's size, a divisor of every distance weight, away from zero.

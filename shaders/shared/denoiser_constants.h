@@ -38,6 +38,7 @@ struct DenoiserConstants
     vec2 convergence;     // s * b, s * (1 - b): e(n) = x + y * sat(n * convergenceLengthInv)
     ivec2 rectOrigin;     // of the guides, pixels
     ivec2 rectSizeMinusOne;
+    ivec2 fullRectSizeMinusOne; // of the guides, where signals are smaller
     float convergenceLengthInv;  // 1 / (1 + p * Nmax)
     float unproject;      // world size of a pixel at z = 1 (perspective) or at any z (orthographic)
     float minRectDim;     // pixels
@@ -93,6 +94,7 @@ struct DenoiserConstants
     uint checkerboard;        // value of CheckerboardMode
     float checkerboardResolve;
     int reconstructionRadius; // pixels, 0 = hit distances are complete
+    int guideStride;          // pixels of the guides from one pixel of the signals to the next
 };
 SHARED_END
 

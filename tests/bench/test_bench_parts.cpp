@@ -4,10 +4,10 @@
 
 #include "bench_camera.h"
 #include "bench_report.h"
-#include "name_choice.h"
 #include "bench_slots.h"
 #include "bench_statistics.h"
 #include "bench_traffic.h"
+#include "name_choice.h"
 
 #include "capture.h"
 
@@ -147,7 +147,7 @@ TEST_CASE("least traffic counts each texel of each image once per direction", "[
     dispatches[1] = {"X - Blur", 0, 0, second, 6, nullptr, 0, false, 0, 0, 0, 0};
     dispatches[2] = {"X - Blur", 0, 0, first, 2, nullptr, 0, false, 0, 0, 0, 0};
     SlotTexels slots = {};
-    slots[static_cast<size_t>(ResourceType::IN_VIEWZ)] = 4;
+    slots[static_cast<size_t>(ResourceType::IN_VIEWZ)] = {4};
 
     const std::vector<PassTraffic> passes = findTraffic(instance, dispatches, slots, {100, 60});
     constexpr uint64_t pixels = 6000, tiles = 7 * 4;

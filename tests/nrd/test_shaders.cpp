@@ -215,6 +215,7 @@ TEST_CASE("constants lie at the same offsets in C++ and in SPIR-V", "[unit]")
         {"convergence", offsetof(DenoiserConstants, convergence)},
         {"rectOrigin", offsetof(DenoiserConstants, rectOrigin)},
         {"rectSizeMinusOne", offsetof(DenoiserConstants, rectSizeMinusOne)},
+        {"fullRectSizeMinusOne", offsetof(DenoiserConstants, fullRectSizeMinusOne)},
         {"convergenceLengthInv", offsetof(DenoiserConstants, convergenceLengthInv)},
         {"unproject", offsetof(DenoiserConstants, unproject)},
         {"minRectDim", offsetof(DenoiserConstants, minRectDim)},
@@ -270,6 +271,7 @@ TEST_CASE("constants lie at the same offsets in C++ and in SPIR-V", "[unit]")
         {"checkerboard", offsetof(DenoiserConstants, checkerboard)},
         {"checkerboardResolve", offsetof(DenoiserConstants, checkerboardResolve)},
         {"reconstructionRadius", offsetof(DenoiserConstants, reconstructionRadius)},
+        {"guideStride", offsetof(DenoiserConstants, guideStride)},
     };
     const Member reference[] = {
         {"rectSize", offsetof(ReferenceConstants, rectSize)},

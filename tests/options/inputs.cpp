@@ -138,7 +138,7 @@ bool isGuide(Slot slot)
 void addGuide(const GuideMaker& maker, Slot slot)
 {
     Frame& frame = maker.frame;
-    const glm::ivec2 origin = maker.setup.origin / static_cast<int>(maker.setup.resolutionDivisor);
+    const glm::ivec2 origin = maker.setup.origin / static_cast<int>(guideDivisor(maker.setup));
     Plane& plane = frame.inputs[slot];
     plane.assign(static_cast<size_t>(frame.size.x * frame.size.y), poisonOf(frame.formats[slot]));
     for (int y = 0; y < frame.rect.y; y++)
@@ -152,6 +152,22 @@ std::optional<float> findConstant(const Setup& setup, Slot slot)
     return {};
 }
 } // namespace
+
+glm::ivec2 Frame::sizeOf(Slot slot) const
+{
+    return {divideUp(size.x, strides.at(slot)), divideUp(size.y, strides.at(slot))};
+}
+
+Plane picked(const Frame& frame, Slot slot)
+{
+    const Plane& all = frame.inputs.at(slot);
+    const int stride = static_cast<int>(frame.strides.at(slot));
+    const glm::ivec2 size = frame.sizeOf(slot);
+    Plane plane;
+    for (int y = 0; y < size.y; y++)
+        for (int x = 0; x < size.x; x++) plane.push_back(all[frame.texel(x * stride, y * stride)]);
+    return plane;
+}
 
 glm::vec3 worldPosition(const Frame& frame, int x, int y)
 {
@@ -192,7 +208,7 @@ rhi::Format formatOf(const nrd::ResourceRequirement& need, const Setup& setup)
 Frame makeFrame(const Setup& setup, const std::vector<nrd::ResourceRequirement>& needs, int frameIndex)
 {
     Frame frame;
-    frame.size = {divideUp(setup.size.x, setup.resolutionDivisor), divideUp(setup.size.y, setup.resolutionDivisor)};
+    frame.size = {divideUp(setup.size.x, guideDivisor(setup)), divideUp(setup.size.y, guideDivisor(setup))};
     frame.rect = pixelsOf(setup, frameIndex);
     frame.hasSky = std::any_of(needs.begin(), needs.end(),
                                [](const nrd::ResourceRequirement& need) { return need.type == Slot::IN_VIEWZ; });
@@ -204,6 +220,7 @@ Frame makeFrame(const Setup& setup, const std::vector<nrd::ResourceRequirement>&
     {
         if (!need.isRequired) continue;
         frame.formats[need.type] = formatOf(need, setup);
+        frame.strides[need.type] = need.sizeDivisor / guideDivisor(setup);
         const std::optional<float> constant = findConstant(setup, need.type);
         if (isGuide(need.type))
             addGuide(maker, need.type);

@@ -225,6 +225,25 @@ const Option kFrames[] = {
     {"half resolution", [](Setup& s) { s.resolutionDivisor = 2; }},
 };
 
+const Option kUpsampled[] = {
+    {"half of the pixels a side, upsampled",
+     [](Setup& s)
+     {
+         s.resolutionDivisor = 2;
+         s.isUpsampled = true;
+     }},
+    {"the same in a rectangle with origin, 2D motion, jitter",
+     [](Setup& s)
+     {
+         s.resolutionDivisor = 2;
+         s.isUpsampled = true;
+         s.rect = glm::max(s.size * 3 / 4, glm::ivec2(1));
+         s.origin = s.size - s.rect;
+         s.motion = MotionKind::Screen;
+         s.isJittered = true;
+     }},
+};
+
 const Option kPlaces[] = {
     {"large formats", [](Setup& s) { s.hasLargeFormats = true; }},
     {"rectangle with origin",
@@ -282,10 +301,11 @@ const std::vector<Option>& allOptions(nrd::Denoiser denoiser)
         return all;
     };
     static const std::vector<Option> reblur =
-        join({kDefaults, kIncomplete, kSettings, kReblurSettings, kLobeFrames, kFrames, kPlaces, kMotions});
-    static const std::vector<Option> relax = join(
-        {kDefaults, kIncomplete, kSettings, kRelaxHistory, kRelaxWavelet, kLobeFrames, kFrames, kPlaces, kMotions});
-    static const std::vector<Option> sigma = join({kDefaults, kIncomplete, kSigmaSettings, kFrames, kPlaces, kMotions});
+        join({kDefaults, kIncomplete, kSettings, kReblurSettings, kLobeFrames, kFrames, kUpsampled, kPlaces, kMotions});
+    static const std::vector<Option> relax = join({kDefaults, kIncomplete, kSettings, kRelaxHistory, kRelaxWavelet,
+                                                   kLobeFrames, kFrames, kUpsampled, kPlaces, kMotions});
+    static const std::vector<Option> sigma =
+        join({kDefaults, kIncomplete, kSigmaSettings, kFrames, kUpsampled, kPlaces, kMotions});
     static const std::vector<Option> reference = join({kDefaults, kFrames, kPlaces});
     switch (familyOf(denoiser))
     {

@@ -11,8 +11,8 @@ namespace
 {
 using Slot = nrd::ResourceType;
 
-constexpr nrd::Identifier kWithoutHistory = 2; // added to the identifier, which is the divisor
-constexpr float kOutputPoison = 123.0f;        // a float's; normalised formats store the nearest they have
+constexpr nrd::Identifier kWithoutHistory = 2, kUpsampled = 3; // added to the identifier, which is the divisor
+constexpr float kOutputPoison = 123.0f; // a float's; normalised formats store the nearest they have
 
 void require(nrd::Result result, const nrd::NrdIntegration& integration)
 {
@@ -46,7 +46,11 @@ struct Runner::Impl
     void prepare(rhi::CommandBuffer& commands, Slot slot, const Frame& frame, nrd::NrdUserPool& pool);
     void record(rhi::CommandBuffer& commands, const Frame& frame);
     Result read(const Frame& frame);
-    nrd::Identifier identifier() const { return setup.resolutionDivisor + (setup.hasHistory ? 0 : kWithoutHistory); }
+    nrd::Identifier identifier() const
+    {
+        return setup.resolutionDivisor + (setup.hasHistory ? 0 : kWithoutHistory) +
+               (setup.isUpsampled ? kUpsampled : 0);
+    }
     nrd::Result setSettings();
 
     ReadableDevice device;
@@ -92,11 +96,10 @@ test::Image& Runner::Impl::imageOf(Slot slot, const Frame& frame)
     const bool isShared = setup.isInPlace && slot == Slot::OUT_SIGNAL;
     std::unique_ptr<test::Image>& image = images[{light, isShared ? Slot::IN_SIGNAL : slot}];
     const rhi::Format format = frame.formats.at(slot);
-    const bool isFit =
-        image && image->format() == format && image->width() == frame.size.x && image->height() == frame.size.y;
-    if (isFit) return *image;
+    const glm::ivec2 pixels = frame.sizeOf(slot);
+    if (image && image->format() == format && image->width() == pixels.x && image->height() == pixels.y) return *image;
     if (image) require(integration.Forget(rhi::vulkanImage(image->texture())), integration);
-    image = std::make_unique<test::Image>(format, frame.size.x, frame.size.y);
+    image = std::make_unique<test::Image>(format, pixels.x, pixels.y);
     return *image;
 }
 
@@ -106,7 +109,7 @@ void Runner::Impl::prepare(rhi::CommandBuffer& commands, Slot slot, const Frame&
     const bool isWritten = isOutput(slot);
     const bool isInPlace = setup.isInPlace && (slot == Slot::IN_SIGNAL || slot == Slot::OUT_SIGNAL);
     if (!isWritten)
-        image.fill(frame.inputs.at(slot));
+        image.fill(picked(frame, slot));
     else if (!isInPlace)
         image.fill(storedPoison(frame.formats.at(slot)));
     image.upload(commands);
@@ -115,8 +118,8 @@ void Runner::Impl::prepare(rhi::CommandBuffer& commands, Slot slot, const Frame&
     nrd::NrdUserImage& entry = pool[slot];
     entry.image = rhi::vulkanImage(image.texture());
     entry.format = rhi::toVulkan(frame.formats.at(slot));
-    entry.width = static_cast<uint32_t>(frame.size.x);
-    entry.height = static_cast<uint32_t>(frame.size.y);
+    entry.width = static_cast<uint32_t>(frame.sizeOf(slot).x);
+    entry.height = static_cast<uint32_t>(frame.sizeOf(slot).y);
     entry.state.layout = isGeneral ? VK_IMAGE_LAYOUT_GENERAL : VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL;
     entry.state.access = isGeneral ? VK_ACCESS_SHADER_WRITE_BIT : VK_ACCESS_SHADER_READ_BIT;
     entry.state.stages = VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT;
@@ -149,13 +152,16 @@ Result Runner::Impl::read(const Frame& frame)
 Runner::Runner(nrd::Denoiser denoiser, nrd::NormalEncoding normals, nrd::RoughnessEncoding roughness)
     : m_impl(std::make_unique<Impl>())
 {
-    const nrd::DenoiserDesc denoisers[] = {{1, denoiser, 1},
-                                           {2, denoiser, 2},
-                                           {1 + kWithoutHistory, denoiser, 1, false},
-                                           {2 + kWithoutHistory, denoiser, 2, false}};
+    std::vector<nrd::DenoiserDesc> denoisers = {{1, denoiser, 1}, {2, denoiser, 2}};
+    if (familyOf(denoiser) != Family::Reference) denoisers.push_back({2 + kUpsampled, denoiser, 2, true, true});
+    if (familyOf(denoiser) == Family::Sigma)
+    {
+        denoisers.push_back({1 + kWithoutHistory, denoiser, 1, false});
+        denoisers.push_back({2 + kWithoutHistory, denoiser, 2, false});
+    }
     nrd::InstanceCreationDesc desc;
-    desc.denoisers = denoisers;
-    desc.denoisersNum = familyOf(denoiser) == Family::Sigma ? 4 : 2;
+    desc.denoisers = denoisers.data();
+    desc.denoisersNum = static_cast<uint32_t>(denoisers.size());
     desc.normalEncoding = normals;
     desc.roughnessEncoding = roughness;
     require(nrd::IntegrationAccess::Create(m_impl->integration, m_impl->device, makeCreationDesc(), desc),

@@ -111,6 +111,8 @@ void setCheckerboard(Setup& setup, nrd::CheckerboardMode mode)
     setup.sigmaSettings.checkerboardMode = mode;
 }
 
+uint32_t guideDivisor(const Setup& setup) { return setup.isUpsampled ? 1 : setup.resolutionDivisor; }
+
 glm::ivec2 rectOf(const Setup& setup, int frame)
 {
     if (!setup.isRectVarying) return setup.rect;
@@ -121,7 +123,7 @@ glm::ivec2 rectOf(const Setup& setup, int frame)
 glm::ivec2 pixelsOf(const Setup& setup, int frame)
 {
     const glm::ivec2 rect = rectOf(setup, frame);
-    return {divideUp(rect.x, setup.resolutionDivisor), divideUp(rect.y, setup.resolutionDivisor)};
+    return {divideUp(rect.x, guideDivisor(setup)), divideUp(rect.y, guideDivisor(setup))};
 }
 
 View makeView(const Setup& setup, int frame)

@@ -48,6 +48,7 @@ struct Setup
     nrd::NormalEncoding normalEncoding = nrd::NormalEncoding::R10_G10_B10_A2_UNORM;
     nrd::RoughnessEncoding roughnessEncoding = nrd::RoughnessEncoding::LINEAR;
     uint32_t resolutionDivisor = 1;           // 1 or 2
+    bool isUpsampled = false;                 // only what was traced is smaller: every other pixel of every other row
     bool hasHistory = true;                   // false: of SIGMA only
     nrd::ReblurSettings settings;             // of REBLUR
     nrd::RelaxSettings relaxSettings;         // of RELAX
@@ -121,8 +122,9 @@ struct View
     glm::mat4 worldToView{1.0f};
 };
 
+uint32_t guideDivisor(const Setup& setup);
 glm::ivec2 rectOf(const Setup& setup, int frame);   // of the full resolution
-glm::ivec2 pixelsOf(const Setup& setup, int frame); // of the denoiser
+glm::ivec2 pixelsOf(const Setup& setup, int frame); // of the guides
 View makeView(const Setup& setup, int frame);
 quality::Guides renderView(const Setup& setup, const View& view, int frame);
 nrd::CommonSettings makeCommon(const Setup& setup, int frame, bool isFirst);

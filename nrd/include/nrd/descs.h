@@ -37,6 +37,10 @@ struct DenoiserDesc
     // false, SIGMA only: no temporal stabilisation whatever the settings say, and so no history memory. One such
     // denoiser serves any number of lights, one after another.
     bool hasHistory = true;
+    // With a resolutionDivisor above 1, of all but REFERENCE: only the noisy signals and IN_SPEC_MV are
+    // small. Guides and outputs have the full size: pixel p of a signal was traced from pixel p * resolutionDivisor,
+    // counted from rectOrigin, and the result is upsampled along the guides.
+    bool isUpsampled = false;
 };
 
 struct InstanceCreationDesc
@@ -176,5 +180,6 @@ struct ResourceRequirement
     bool isRequired;               // false: used when bound, or only with a setting that is off now
     bool isReadBack;               // of an output: holds steps on the way too, so that it needs sampled usage as well
     Format minFormat;              // smallest format that keeps what the slot carries
+    uint32_t sizeDivisor;          // the image has at least ceil(resourceSize / sizeDivisor) pixels a side
 };
 } // namespace nrd
