@@ -31,7 +31,7 @@ void check(nrd::Result result, const InstancePtr& instance)
 
 InstancePtr makeInstance(const ReplayDenoiser& denoiser, const Workload& workload, const ReplaySettings& settings)
 {
-    const nrd::DenoiserDesc row = denoiserDesc(kIdentifier, denoiser, workload);
+    const nrd::DenoiserDesc row = denoiserDesc(kIdentifier, denoiser.denoiser, workload.resolution);
     nrd::InstanceCreationDesc desc;
     desc.denoisers = &row;
     desc.denoisersNum = 1;

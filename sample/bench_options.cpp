@@ -33,9 +33,7 @@ void declareOptions(CLI::App& app, Options& options, Texts& texts)
         ->check(CLI::Range(1u, 1000000u));
     app.add_option("--sky", texts.skyPercent, "Share of the sky in the picture, percent; 2")
         ->check(CLI::Range(0.0f, 25.0f));
-    app.add_option("--signal-divisor", options.workload.signalDivisor,
-                   "Noisy signals of every Nth pixel of every Nth row, upsampled by the denoiser; 1")
-        ->check(CLI::Range(1u, 8u));
+    declareResolution(app, options.workload.resolution);
     app.add_flag("--static", options.workload.isStatic, "The camera stands still");
     app.add_flag("--memory", options.isMemoryOnly, "Allocate, print the memory, and render nothing");
     app.add_option("--device", options.device, "Number or part of the name of the device");
@@ -59,13 +57,6 @@ Extent parseSize(std::string_view text)
     return {parseSide(text.substr(0, cross)), parseSide(text.substr(cross + 1))};
 }
 } // namespace
-
-nrd::DenoiserDesc denoiserDesc(nrd::Identifier identifier, const ReplayDenoiser& denoiser, const Workload& workload)
-{
-    nrd::DenoiserDesc desc{identifier, denoiser.denoiser, workload.signalDivisor};
-    desc.isUpsampled = workload.signalDivisor > 1;
-    return desc;
-}
 
 std::vector<Extent> parseSizes(const std::string& text)
 {

@@ -1,8 +1,7 @@
 // What nrd-bench is asked for.
 #pragma once
 #include "replay_settings.h"
-
-#include <nrd/descs.h>
+#include "resolution.h"
 
 #include <optional>
 
@@ -28,10 +27,8 @@ struct Workload
     uint32_t frameCount = 96;         // measured, after warm-up
     float skyShare = 0.02f;           // of the picture, [0; 0.25]
     bool isStatic = false;            // the camera stands still
-    uint32_t signalDivisor = 1;       // [1; 8], of the noisy signals' size; upsampled
+    Resolution resolution = {};
 };
-
-nrd::DenoiserDesc denoiserDesc(nrd::Identifier identifier, const ReplayDenoiser& denoiser, const Workload& workload);
 
 struct Options
 {

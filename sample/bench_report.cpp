@@ -86,7 +86,8 @@ Json toJson(const Report& report, const Result& result)
     for (const auto& [key, value] : report.workload.settings) json["settings"][key] = value;
     if (report.bytesPerSecond > 0.0) json["copyGBPerSecond"] = report.bytesPerSecond * 1e-9;
     if (result.cpu) json["input"] = {{"static", report.workload.isStatic}, {"frames", report.workload.frameCount}};
-    if (report.workload.signalDivisor > 1) json["input"]["signalDivisor"] = report.workload.signalDivisor;
+    const Resolution& resolution = report.workload.resolution;
+    if (resolution.divisor > 1) json["denoisedAt"] = {{"divisor", resolution.divisor}, {"sparse", resolution.isSparse}};
     if (result.skyPercent) json["input"]["skyPercent"] = *result.skyPercent;
     if (result.gpu) json["gpuMs"] = gpuJson(report, *result.gpu);
     const double sum = result.memory.permanent + result.memory.transient;

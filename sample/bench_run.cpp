@@ -43,7 +43,7 @@ Run::Run(const RunDesc& desc) : m_desc(desc)
     creation.framesInFlight = kFramesInFlight;
     creation.isGpuTimingEnabled = true;
     creation.createDefaultPipelines = true; // so that their time is Create()'s
-    const nrd::DenoiserDesc denoiser = denoiserDesc(kIdentifier, desc.denoiser, desc.workload);
+    const nrd::DenoiserDesc denoiser = denoiserDesc(kIdentifier, desc.denoiser.denoiser, desc.workload.resolution);
     nrd::InstanceCreationDesc instance;
     instance.denoisers = &denoiser;
     instance.denoisersNum = 1;

@@ -20,7 +20,7 @@ target_include_directories(nrd_measures PUBLIC "${CMAKE_CURRENT_SOURCE_DIR}/meas
 target_link_libraries(nrd_measures PUBLIC nrd_capture PRIVATE Threads::Threads nrd_warnings)
 
 # What programs share round their work.
-add_library(nrd_program STATIC program.cpp)
+add_library(nrd_program STATIC program.cpp resolution.cpp)
 target_compile_definitions(nrd_program PRIVATE NRD_TEST_DATA="${NRD_TEST_DATA}")
 target_link_libraries(nrd_program PUBLIC nrd_capture nrd::nrd PRIVATE nrd_measures CLI11::CLI11 nrd_warnings)
 

@@ -98,8 +98,7 @@ void ReplayGpu::createIntegration()
     creation.resourceHeight = static_cast<uint16_t>(m_info.height);
     creation.framesInFlight = 1; // every frame is waited for
     creation.isGpuTimingEnabled = true;
-    nrd::DenoiserDesc denoiser{kIdentifier, m_denoiser.denoiser, m_desc.signalDivisor};
-    denoiser.isUpsampled = m_desc.signalDivisor > 1;
+    const nrd::DenoiserDesc denoiser = denoiserDesc(kIdentifier, m_denoiser.denoiser, m_desc.resolution);
     nrd::InstanceCreationDesc instance;
     instance.denoisers = &denoiser;
     instance.denoisersNum = 1;

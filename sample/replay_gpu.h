@@ -4,6 +4,7 @@
 #include "replay_report.h"
 #include "replay_settings.h"
 #include "replay_slots.h"
+#include "resolution.h"
 
 #include "engine/compute.h"
 
@@ -35,7 +36,7 @@ struct ReplayGpuDesc
     ShResolve resolve = ShResolve::Restore;
     float confidence = 1.0f;      // [0; 1], of every pixel where the settings ask for it
     float disocclusionMix = 0.0f; // [0; 1], likewise
-    uint32_t signalDivisor = 1; // [1; 8], of the noisy signals only the pixels of every such row and column, upsampled
+    Resolution resolution = {};
     bool isOverlayWanted = false;                         // of enableValidation
     std::shared_ptr<engine::Device> openDevice = nullptr; // of createReplayDevice(), in place of the two above
 };

@@ -27,7 +27,7 @@ struct Options
     std::optional<float> confidence;
     std::optional<float> disocclusionMix;
     size_t frameCount = 0; // 0: all
-    uint32_t signalDivisor = 1;
+    Resolution resolution;
     bool isMarkdown = false;
     bool validation = false;
     bool isDeviceListWanted = false;
@@ -53,9 +53,7 @@ void declareOptions(CLI::App& app, Options& options)
     app.add_option("--disocclusion-mix", options.disocclusionMix,
                    "Of every pixel, with --set isDisocclusionThresholdMixAvailable=true")
         ->check(CLI::Range(0.0f, 1.0f));
-    app.add_option("--signal-divisor", options.signalDivisor,
-                   "Give the denoiser the noisy signals of every Nth pixel of every Nth row, to be upsampled; 1")
-        ->check(CLI::Range(1u, 8u));
+    declareResolution(app, options.resolution);
     app.add_flag(
         "--doctor", options.isDoctorWanted,
         "Check the inputs instead of denoising them; the exit code is 0 if all is well, 2 if it found something");
@@ -128,7 +126,7 @@ ReplayGpuDesc gpuDesc(const Options& options, const Capture& capture, const Repl
     desc.confidence = options.confidence.value_or(desc.confidence);
     desc.disocclusionMix = options.disocclusionMix.value_or(desc.disocclusionMix);
     desc.isOverlayWanted = !options.out.empty();
-    desc.signalDivisor = options.signalDivisor;
+    desc.resolution = options.resolution;
     ReplaySettings settings;
     if (denoiser.family != Family::None) applySettings(settings, denoiser.family, desc.settings);
     if (options.confidence && !settings.common.isHistoryConfidenceAvailable)

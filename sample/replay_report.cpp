@@ -62,7 +62,8 @@ Json toJson(const ReplayReport& report)
     if (!report.device.empty()) json["preset"] = nameOf(report.preset);
     json["settings"] = Json::object();
     for (const auto& [key, value] : report.settings) json["settings"][key] = value;
-    if (report.signalDivisor > 1) json["signalDivisor"] = report.signalDivisor;
+    if (report.resolution.divisor > 1)
+        json["denoisedAt"] = {{"divisor", report.resolution.divisor}, {"sparse", report.resolution.isSparse}};
     if (report.gpuMs) json["gpuMs"] = gpuJson(report);
     if (report.memory)
         json["memoryMiB"] = {{"permanent", report.memory->permanent},

@@ -1,6 +1,7 @@
 // The JSON report of a replay, the printed tables, and the recorded figures of the peer beside them.
 #pragma once
 #include "replay_settings.h"
+#include "resolution.h"
 #include "sequence.h"
 
 #include <filesystem>
@@ -25,7 +26,7 @@ struct ReplayReport
     int height = 0;
     nrd::Quality preset = nrd::Quality::BALANCED;
     std::vector<Assignment> settings; // what --set changed on top of it
-    uint32_t signalDivisor = 1;       // of a side
+    Resolution resolution = {};
     std::optional<double> gpuMs;                               // median of the frames' totals
     std::vector<PassReport> passes;                            // medians
     struct Memory

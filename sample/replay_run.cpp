@@ -24,7 +24,7 @@ ReplayRun::ReplayRun(const ReplayRunDesc& desc)
     }
     m_report.preset = desc.gpu.preset;
     m_report.settings = desc.gpu.settings;
-    m_report.signalDivisor = desc.gpu.signalDivisor;
+    m_report.resolution = desc.gpu.resolution;
     m_gpu = std::make_unique<ReplayGpu>(desc.gpu);
     m_report.device = m_gpu->deviceName();
 }

@@ -19,7 +19,7 @@ struct PointRow
     const char* name;
     Quality preset;
     std::vector<Assignment> settings;
-    uint32_t signalDivisor = 1;
+    Resolution resolution = {};
 };
 
 // clang-format off
@@ -38,7 +38,8 @@ const std::vector<PointRow>& rows()
         {Family::Reblur, "history 63",       kDefault, {{"maxAccumulatedFrameNum", "63"}}},
         {Family::Reblur, "radius 15",        kDefault, {{"maxBlurRadius", "15"}}},
         {Family::Reblur, "radius 60",        kDefault, {{"maxBlurRadius", "60"}}},
-        {Family::Reblur, "half resolution",  kDefault, {}, 2},
+        {Family::Reblur, "half size",        kDefault, {}, {2}},
+        {Family::Reblur, "half size sparse", kDefault, {}, {2, true}},
         {Family::Relax, "FAST",         Quality::FAST, {}},
         {Family::Relax, "BALANCED",     kDefault,      {}},
         {Family::Relax, "BEST",         Quality::BEST, {}},
@@ -51,12 +52,13 @@ const std::vector<PointRow>& rows()
         {Family::Relax, "5 iterations", kDefault, {{"atrousIterationNum", "5"}}},
         {Family::Relax, "history 63",   kDefault, {{"diffuseMaxAccumulatedFrameNum", "63"},
                                                    {"specularMaxAccumulatedFrameNum", "63"}}},
-        {Family::Relax, "half resolution", kDefault, {}, 2},
+        {Family::Relax, "half size",        kDefault, {}, {2}},
+        {Family::Relax, "half size sparse", kDefault, {}, {2, true}},
         {Family::Sigma, "BALANCED",         kDefault, {}},
         {Family::Sigma, "no stabilisation", kDefault, {{"maxStabilizedFrameNum", "0"}}},
         {Family::Sigma, "stabilised 4",     kDefault, {{"maxStabilizedFrameNum", "4"}}},
         {Family::Sigma, "stabilised 15",    kDefault, {{"maxStabilizedFrameNum", "15"}}},
-        {Family::Sigma, "half resolution",  kDefault, {}, 2},
+        {Family::Sigma, "half size sparse", kDefault, {}, {2, true}},
         {Family::Reference, "default", kDefault, {}},
     };
     return table;
@@ -81,7 +83,7 @@ std::vector<Point> pointsOf(Family family)
 {
     std::vector<Point> points;
     for (const PointRow& row : rows())
-        if (row.family == family) points.push_back({row.name, row.preset, row.settings, row.signalDivisor});
+        if (row.family == family) points.push_back({row.name, row.preset, row.settings, row.resolution});
     return points;
 }
 

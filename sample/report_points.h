@@ -2,6 +2,7 @@
 #pragma once
 #include "capture.h"
 #include "replay_settings.h"
+#include "resolution.h"
 
 namespace sample::report
 {
@@ -11,7 +12,7 @@ struct Point
     std::string name;
     nrd::Quality preset = nrd::Quality::BALANCED;
     std::vector<Assignment> settings; // on top of the preset
-    uint32_t signalDivisor = 1;       // of a side
+    Resolution resolution = {};
 };
 
 // The presets, then the settings that matter most to speed, one changed at a time.

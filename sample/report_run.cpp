@@ -59,7 +59,7 @@ private:
         std::cerr << m_capture.info().name << ", " << denoiser.name << ", " << point.name << '\n';
         ReplayGpuDesc desc{m_capture, denoiser, point.settings, m_options.device, m_options.validation};
         desc.preset = point.preset;
-        desc.signalDivisor = point.signalDivisor;
+        desc.resolution = point.resolution;
         desc.openDevice = m_device;
         ReplayRun run({desc, "", m_options.frameCount});
         ReplayReport report = run.run(showProgress);

@@ -18,7 +18,7 @@ uint16_t factorOf(const CompiledDenoiser& denoiser, const Texture& texture)
 
 uint16_t outputDivisor(const CompiledDenoiser& denoiser)
 {
-    return denoiser.program.isUpsampled ? uint16_t{1} : denoiser.resolutionDivisor;
+    return denoiser.program.isUpsampled() ? uint16_t{1} : denoiser.resolutionDivisor;
 }
 
 void addPermanentTextures(CompiledDenoiser& denoiser, std::pmr::vector<TextureDesc>& pool)
@@ -184,7 +184,7 @@ void compile(const InstanceCreationDesc& desc, Compiled& compiled)
         denoiser.identifier = desc.denoisers[i].identifier;
         denoiser.resolutionDivisor = static_cast<uint16_t>(desc.denoisers[i].resolutionDivisor);
         denoiser.program = expand(findVariant(desc.denoisers[i].denoiser, keptBy(desc.denoisers[i])),
-                                  desc.normalEncoding, isUpsampled(desc.denoisers[i]));
+                                  desc.normalEncoding, fullSizeOf(desc.denoisers[i]));
         denoiser.settings = denoiser.program.family->defaults;
         addPermanentTextures(denoiser, compiled.permanentPool);
     }

@@ -124,15 +124,17 @@ void Instance::emit(CompiledDenoiser& denoiser)
     const bool isCleared = !last.isCleared || mode == AccumulationMode::CLEAR_AND_RESTART;
     const bool isReset = isCleared || !last.isValid || mode == AccumulationMode::RESTART || isCut(m_common, last);
 
-    const bool isUpsampled = denoiser.program.isUpsampled;
-    const CommonSettings resized = isUpsampled ? atPickedPixels(m_common, denoiser.resolutionDivisor)
-                                               : atResolution(m_common, denoiser.resolutionDivisor);
+    const Program& program = denoiser.program;
+    const uint32_t divisor = denoiser.resolutionDivisor;
+    const CommonSettings resized =
+        program.isUpsampled() ? atPickedPixels(m_common, divisor) : atResolution(m_common, divisor);
     const CommonSettings common = isReset ? withoutPreviousFrame(resized) : resized;
     const FrameState frame = makeFrameState(common, m_frameRateScale);
-    const Variant& variant = *denoiser.program.variant;
-    const uint32_t guideStride = isUpsampled ? denoiser.resolutionDivisor : 1u;
-    const CommonSettings& full = isUpsampled ? m_common : common;
-    const Request request = {common, full, denoiser.settings, frame, last, variant, isReset, guideStride};
+    const Variant& variant = *program.variant;
+    const CommonSettings& full = program.isUpsampled() ? m_common : common;
+    const uint32_t guideStride = program.isUpsampled() ? divisor : 1;
+    const uint32_t signalStride = program.isDownsampled() ? divisor : 1;
+    const Request request = {common, full, denoiser.settings, frame, last, variant, isReset, guideStride, signalStride};
     m_constantBlock = emitConstants(denoiser, request);
 
     if (isCleared) emitClears(denoiser);
@@ -142,7 +144,7 @@ void Instance::emit(CompiledDenoiser& denoiser)
         if (denoiser.program.passes[i].row->runsIf(conditions)) emitPass(denoiser, i, conditions);
     }
 
-    RequestHistory next = denoiser.program.family->advance(request);
+    RequestHistory next = program.family->advance(request);
     next.requestNum = last.requestNum + 1;
     std::copy(std::begin(m_common.worldToViewMatrix), std::end(m_common.worldToViewMatrix), next.worldToView);
     next.isCleared = true;

@@ -1,6 +1,6 @@
 #include "expand.h"
 #include "denoisers/families.h"
-#include "upsampling.h"
+#include "resampling.h"
 #include <algorithm>
 
 namespace nrd
@@ -67,16 +67,26 @@ uint8_t findTexture(const Program& program, uint8_t key, size_t signal)
 // Where a signal's result goes: to the user, or first to what is upsampled.
 Binding bindOutput(const Program& program, size_t signal)
 {
-    if (!program.isUpsampled) return {program.variant->signals[signal].output, 0, false};
+    if (!program.isUpsampled()) return {program.variant->signals[signal].output, 0, false};
     return {ResourceType::MAX_NUM, findTexture(program, kSmallOutput.key, signal), false};
 }
 
-// Tables name an output as such, or as the user's slot.
+// Where a noisy signal comes from, likewise.
+Binding bindInput(const Program& program, size_t signal)
+{
+    if (!program.isDownsampled()) return {program.variant->signals[signal].input, 0, false};
+    return {ResourceType::MAX_NUM, findTexture(program, kSmallInput.key, signal), false};
+}
+
+// Tables name signals as such, or as the user's slots.
 Binding bindUser(const Program& program, ResourceType type)
 {
     const auto& signals = program.variant->signals;
     for (size_t i = 0; i < signals.size(); i++)
+    {
+        if (signals[i].input == type) return bindInput(program, i);
         if (signals[i].output == type) return bindOutput(program, i);
+    }
     return {type, 0, false};
 }
 
@@ -88,13 +98,15 @@ Binding bind(const Program& program, const Place& place, size_t signal)
     case Source::User:
         return bindUser(program, static_cast<ResourceType>(place.index));
     case Source::SignalInput:
-        return {row.input, 0, false};
+        return bindInput(program, signal);
     case Source::SignalOutput:
         return bindOutput(program, signal);
+    case Source::UserInput:
+        return {row.input, 0, false};
     case Source::UserOutput:
         return {row.output, 0, false};
     case Source::Table:
-        if (place.index != kSmallOutput.key && isInOutput(program.family->textures[place.index], row))
+        if (place.index < program.family->textures.size() && isInOutput(program.family->textures[place.index], row))
             return bindOutput(program, signal);
         break;
     }
@@ -172,17 +184,19 @@ void addPass(Program& program, const PassRow& row, Shader shader)
 }
 } // namespace
 
-Program expand(const VariantOfFamily& which, NormalEncoding encoding, bool isUpsampled)
+Program expand(const VariantOfFamily& which, NormalEncoding encoding, FullSize fullSize)
 {
     Program program;
     program.family = which.family;
     program.variant = &which.family->variants[which.variant];
-    program.isUpsampled = isUpsampled;
+    program.fullSize = fullSize;
     for (const TextureRow& row : which.family->textures) addTexture(program, row, encoding);
-    if (isUpsampled) addTexture(program, kSmallOutput, encoding);
+    if (program.isDownsampled()) addTexture(program, kSmallInput, encoding);
+    if (program.isUpsampled()) addTexture(program, kSmallOutput, encoding);
+    if (program.isDownsampled()) addPass(program, kDownsample, downsampler(*program.variant));
     for (const PassRow& row : which.family->passes)
         if (has(*program.variant, row.having)) addPass(program, row, shaderOf(row, which));
-    if (isUpsampled) addPass(program, kUpsample, upsampler(*program.variant));
+    if (program.isUpsampled()) addPass(program, kUpsample, upsampler(*program.variant));
     return program;
 }
 

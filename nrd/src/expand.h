@@ -56,9 +56,12 @@ struct Program
 {
     const Family* family = nullptr;
     const Variant* variant = nullptr;
-    bool isUpsampled = false;
+    FullSize fullSize = FullSize::NOTHING;
     FixedList<Texture, 32> textures;
     FixedList<Pass, 20> passes;
+
+    bool isUpsampled() const { return fullSize != FullSize::NOTHING; }
+    bool isDownsampled() const { return fullSize == FullSize::EVERYTHING; }
 };
 
 struct VariantOfFamily
@@ -68,9 +71,12 @@ struct VariantOfFamily
 };
 
 VariantOfFamily findVariant(Denoiser denoiser, Keeps keeps = Keeps::History);
-inline bool isUpsampled(const DenoiserDesc& desc) { return desc.isUpsampled && desc.resolutionDivisor > 1; }
+inline FullSize fullSizeOf(const DenoiserDesc& desc)
+{
+    return desc.resolutionDivisor > 1 ? desc.fullSize : FullSize::NOTHING;
+}
 inline Keeps keptBy(const DenoiserDesc& desc) { return desc.hasHistory ? Keeps::History : Keeps::Nothing; }
-Program expand(const VariantOfFamily& which, NormalEncoding encoding, bool isUpsampled = false);
+Program expand(const VariantOfFamily& which, NormalEncoding encoding, FullSize fullSize = FullSize::NOTHING);
 Format guideFormat(NormalEncoding encoding);
 
 // First and last pass in which the texture is bound, whatever the settings.

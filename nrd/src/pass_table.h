@@ -86,6 +86,7 @@ enum class Source : uint8_t
     Table,
     SignalInput,
     SignalOutput,
+    UserInput, // the user's, also where signals are averaged before they are denoised
     UserOutput // the user's, also where results are upsampled on their way there
 };
 
@@ -280,7 +281,8 @@ struct Request
     const RequestHistory& history; // of the last request
     const Variant& variant;
     bool isReset;
-    uint32_t guideStride; // in pixels of the guides, from one pixel of the signals to the next
+    uint32_t guideStride;  // pixels of the guides from one pixel of the signals to the next
+    uint32_t signalStride; // pixels of what the user hands over as a signal, likewise
 };
 
 constexpr size_t kConstantMaxByteSize = 1024;

@@ -70,15 +70,18 @@ struct Need
 
 constexpr size_t kUserSlotNum = static_cast<size_t>(ResourceType::TRANSIENT_POOL);
 
-// Where signals are smaller than guides: what is not a noisy input of the pixels that were traced.
+// Where the denoiser is smaller than the guides.
 bool isFullSize(ResourceType type, const Program& program)
 {
-    if (!program.isUpsampled) return false;
+    if (!program.isUpsampled()) return false;
+    const auto& signals = program.variant->signals;
+    const auto hasOutput = [type](const SignalRow& signal) { return signal.output == type; };
+    const auto hasInput = [type](const SignalRow& signal) { return signal.input == type; };
     const bool isGuide =
         type == ResourceType::IN_MV || type == ResourceType::IN_NORMAL_ROUGHNESS || type == ResourceType::IN_VIEWZ;
-    const auto& signals = program.variant->signals;
-    return isGuide || std::any_of(signals.begin(), signals.end(),
-                                  [type](const SignalRow& signal) { return signal.output == type; });
+    if (isGuide || std::any_of(signals.begin(), signals.end(), hasOutput)) return true;
+    const bool isTraced = type == ResourceType::IN_SPEC_MV || std::any_of(signals.begin(), signals.end(), hasInput);
+    return isTraced && program.isDownsampled();
 }
 
 template <class Slots>

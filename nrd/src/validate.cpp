@@ -90,6 +90,14 @@ Error findError(const ReferenceSettings& s)
 
 namespace
 {
+// REFERENCE knows no guides to resample along, and a mean of penumbrae is none.
+FullSize mostFullSize(Denoiser denoiser)
+{
+    if (denoiser == Denoiser::REFERENCE) return FullSize::NOTHING;
+    const bool isShadow = denoiser == Denoiser::SIGMA_SHADOW || denoiser == Denoiser::SIGMA_SHADOW_TRANSLUCENCY;
+    return isShadow ? FullSize::GUIDES_AND_OUTPUTS : FullSize::EVERYTHING;
+}
+
 void checkDenoisers(Error& error, const InstanceCreationDesc& desc)
 {
     for (uint32_t i = 0; i < desc.denoisersNum && !error; i++)
@@ -114,11 +122,13 @@ void checkDenoisers(Error& error, const InstanceCreationDesc& desc)
             error.text << "InstanceCreationDesc::denoisers[" << i << "].resolutionDivisor is "
                        << denoiser.resolutionDivisor << ", expected [1; 8]";
         }
-        if (!error && denoiser.isUpsampled && denoiser.denoiser == Denoiser::REFERENCE)
+        if (!error && denoiser.fullSize > mostFullSize(denoiser.denoiser))
         {
             error.result = Result::INVALID_ARGUMENT;
-            error.text << "InstanceCreationDesc::denoisers[" << i
-                       << "].isUpsampled is 1, expected 0: REFERENCE knows no guides to upsample along";
+            error.text << "InstanceCreationDesc::denoisers[" << i << "].fullSize is "
+                       << static_cast<uint32_t>(denoiser.fullSize) << ", expected at most "
+                       << static_cast<uint32_t>(mostFullSize(denoiser.denoiser)) << " of "
+                       << toString(denoiser.denoiser);
         }
         for (uint32_t j = 0; j < i && !error; j++)
         {

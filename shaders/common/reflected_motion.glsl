@@ -12,7 +12,7 @@ vec4 motionAt(Surface s, int i)
 {
     ivec2 offset = ivec2(i % 3, i / 3) - 1;
     vec4 other = neighbour(offset);
-    vec4 motion = texelFetch(gIn_SpecularMotion, clampToRect(s.pixel + offset), 0);
+    vec4 motion = texelFetch(gIn_SpecularMotion, clampToRect(s.pixel + offset) * g.signalStride, 0);
     // Written so that NaN is no sample.
     bool isUsed = other.w > 0.0 && dot(other.xyz, s.guide.N) > 0.9 && motion.w > 0.0 &&
                   all(lessThan(abs(motion.xyz), vec3(NRD_FP16_MAX)));

@@ -2,7 +2,7 @@
 // al. 2007): each pixel is a mean of the nearest results, by how much their surfaces are its own.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "denoiser.glsl"
+#include "resampling.glsl"
 
 layout(local_size_x = 16, local_size_y = 16) in;
 layout(set = SET_RESOURCES, binding = 0) uniform texture2D gIn_ViewZ;
@@ -22,23 +22,8 @@ layout(set = SET_RESOURCES, binding = 5) uniform texture2D gIn_Signal3;
 layout(set = SET_RESOURCES, binding = FIRST_OUT + 3) uniform writeonly image2D gOut_Signal3;
 #endif
 
-// What counts as one surface, in e-folds: off the tangent plane by a thousandth of the frustum's size, turned by so
-// many radians, or of another roughness.
-const float kPlaneShare = 0.001;
-const float kDiffuseTurn = 0.3;
-const float kMinSpecularTurn = 0.03;
-const float kRoughnessShare = 0.1;
 // Taps further off count where the nearest ones are of other surfaces by as many e-folds.
 const float kStranger = 3.0;
-
-struct Surface
-{
-    vec3 Nv;
-    float roughness;
-    float planeStart; // dot(Nv, Xv)
-    float planeScale; // 1 / admissible distance from the plane
-    float turnScale;  // of the specular lobe
-};
 
 // Of the signals' texels; weights of diffuse and specular light.
 struct Sum
@@ -49,46 +34,13 @@ struct Sum
 
 const Sum kNoSum = Sum(vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec2(0.0));
 
-// Of the lobe that a signal belongs to.
-float lobeWeight(vec2 weights, int signal) { return (LOBES == 3 ? signal % 2 : LOBES - 1) == 0 ? weights.x : weights.y; }
-
-vec3 positionAt(vec2 smallPixel, float viewZ)
-{
-    return reconstructViewPosition((smallPixel + 0.5) * g.rectSizeInv, g.frustum, viewZ, g.cameraDelta.w);
-}
-
-vec3 viewNormal(Guide guide) { return guide.N * mat3(g.viewToWorld); } // the inverse of a rotation
-
-Surface surfaceAt(ivec2 pixel, vec2 smallPixel, float viewZ)
-{
-    Guide guide = decodeGuide(texelFetch(gIn_NormalRoughness, pixel + g.rectOrigin, 0));
-    Surface s;
-    s.Nv = viewNormal(guide);
-    s.roughness = guide.roughness;
-    s.planeStart = dot(s.Nv, positionAt(smallPixel, viewZ));
-    s.planeScale = 1.0 / (kPlaneShare * getFrustumSize(viewZ));
-    s.turnScale = 1.0 / max(angleOf(lobeTangent(guide.roughness, 0.5)), kMinSpecularTurn);
-    return s;
-}
-
-// E-folds by which the tap's surface is another one, for diffuse and specular light; large: there is none.
-vec2 differences(Surface s, ivec2 tap, float viewZ)
-{
-    Guide guide = decodeGuide(texelFetch(gIn_NormalRoughness, guideTexel(tap), 0));
-    vec3 Nv = viewNormal(guide);
-    float plane = abs(dot(s.Nv, positionAt(vec2(tap), viewZ)) - s.planeStart) * s.planeScale;
-    float turn = angleBetween(s.Nv, Nv);
-    float roughness = abs(guide.roughness - s.roughness) * (1.0 / kRoughnessShare);
-    // Bounded, so that among strangers the nearest still has a weight.
-    return min(vec2(plane + turn * (1.0 / kDiffuseTurn), plane + turn * s.turnScale + roughness), 60.0);
-}
-
 void add(Surface s, ivec2 tap, float share, inout Sum sum)
 {
     tap = clampToRect(tap);
     float viewZ = decodeViewZ(texelFetch(gIn_ViewZ, guideTexel(tap), 0).x);
     if (!isInRange(viewZ)) return; // nothing was denoised there
-    vec2 weights = share * exp(-differences(s, tap, viewZ));
+    Guide guide = decodeGuide(texelFetch(gIn_NormalRoughness, guideTexel(tap), 0));
+    vec2 weights = share * kinship(s, guide, vec2(tap), viewZ);
     sum.signal0 += texelFetch(gIn_Signal0, tap, 0) * lobeWeight(weights, 0);
 #if SIGNAL_NUM >= 2
     sum.signal1 += texelFetch(gIn_Signal1, tap, 0) * lobeWeight(weights, 1);
@@ -133,7 +85,9 @@ void main()
     float viewZ = decodeViewZ(texelFetch(gIn_ViewZ, pixel + g.rectOrigin, 0).x);
     if (!isInRange(viewZ)) return;
     vec2 place = vec2(pixel) / float(g.guideStride);
-    Surface s = surfaceAt(pixel, place, viewZ);
+    Surface s = makeSurface(decodeGuide(texelFetch(gIn_NormalRoughness, pixel + g.rectOrigin, 0)), place, viewZ);
+    // A mean of pixels stands in their middle.
+    place -= 0.5 - 0.5 / float(g.signalStride);
     Sum sum = kNoSum;
     addNearest(s, place, sum);
     if (min(sum.weights.x, sum.weights.y) < exp(-kStranger)) addRing(s, place, sum);

@@ -95,6 +95,7 @@ struct DenoiserConstants
     float checkerboardResolve;
     int reconstructionRadius; // pixels, 0 = hit distances are complete
     int guideStride;          // pixels of the guides from one pixel of the signals to the next
+    int signalStride;         // of what the application hands over as a signal; above 1, it is averaged first
 };
 SHARED_END
 

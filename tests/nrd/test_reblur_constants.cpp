@@ -27,7 +27,7 @@ struct Inputs
         const FamilySettings family = settings;
         const FrameState frame = makeFrameState(common, frameRateScale(common.timeDeltaBetweenFrames));
         const Program program = expand(findVariant(Denoiser::REBLUR_DIFFUSE_SPECULAR), NormalEncoding::RGBA16_SNORM);
-        return makeReblurConstants({common, common, family, frame, history, *program.variant, isReset, 1});
+        return makeReblurConstants({common, common, family, frame, history, *program.variant, isReset, 1, 1});
     }
 };
 

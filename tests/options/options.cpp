@@ -225,22 +225,38 @@ const Option kFrames[] = {
     {"half resolution", [](Setup& s) { s.resolutionDivisor = 2; }},
 };
 
+void halve(Setup& s, nrd::FullSize fullSize)
+{
+    s.resolutionDivisor = 2;
+    s.fullSize = fullSize;
+}
+
+void placeMovingOnScreen(Setup& s)
+{
+    s.rect = glm::max(s.size * 3 / 4, glm::ivec2(1));
+    s.origin = s.size - s.rect;
+    s.motion = MotionKind::Screen;
+    s.isJittered = true;
+}
+
 const Option kUpsampled[] = {
-    {"half of the pixels a side, upsampled",
-     [](Setup& s)
-     {
-         s.resolutionDivisor = 2;
-         s.isUpsampled = true;
-     }},
+    {"every fourth pixel, upsampled", [](Setup& s) { halve(s, nrd::FullSize::GUIDES_AND_OUTPUTS); }},
     {"the same in a rectangle with origin, 2D motion, jitter",
      [](Setup& s)
      {
-         s.resolutionDivisor = 2;
-         s.isUpsampled = true;
-         s.rect = glm::max(s.size * 3 / 4, glm::ivec2(1));
-         s.origin = s.size - s.rect;
-         s.motion = MotionKind::Screen;
-         s.isJittered = true;
+         halve(s, nrd::FullSize::GUIDES_AND_OUTPUTS);
+         placeMovingOnScreen(s);
+     }},
+};
+
+const Option kDownsampled[] = {
+    {"means of four pixels, upsampled", [](Setup& s) { halve(s, nrd::FullSize::EVERYTHING); }},
+    {"the same in a rectangle with origin, 2D motion, jitter, broken samples",
+     [](Setup& s)
+     {
+         halve(s, nrd::FullSize::EVERYTHING);
+         placeMovingOnScreen(s);
+         s.isBroken = true;
      }},
 };
 
@@ -300,10 +316,10 @@ const std::vector<Option>& allOptions(nrd::Denoiser denoiser)
         for (const auto& table : tables) all.insert(all.end(), table.begin(), table.end());
         return all;
     };
-    static const std::vector<Option> reblur =
-        join({kDefaults, kIncomplete, kSettings, kReblurSettings, kLobeFrames, kFrames, kUpsampled, kPlaces, kMotions});
+    static const std::vector<Option> reblur = join({kDefaults, kIncomplete, kSettings, kReblurSettings, kLobeFrames,
+                                                    kFrames, kUpsampled, kDownsampled, kPlaces, kMotions});
     static const std::vector<Option> relax = join({kDefaults, kIncomplete, kSettings, kRelaxHistory, kRelaxWavelet,
-                                                   kLobeFrames, kFrames, kUpsampled, kPlaces, kMotions});
+                                                   kLobeFrames, kFrames, kUpsampled, kDownsampled, kPlaces, kMotions});
     static const std::vector<Option> sigma =
         join({kDefaults, kIncomplete, kSigmaSettings, kFrames, kUpsampled, kPlaces, kMotions});
     static const std::vector<Option> reference = join({kDefaults, kFrames, kPlaces});

@@ -11,7 +11,8 @@ namespace
 {
 using Slot = nrd::ResourceType;
 
-constexpr nrd::Identifier kWithoutHistory = 2, kUpsampled = 3; // added to the identifier, which is the divisor
+// Added to the identifier, which is the divisor.
+constexpr nrd::Identifier kWithoutHistory = 2, kFullSize = 10; // times nrd::FullSize
 constexpr float kOutputPoison = 123.0f; // a float's; normalised formats store the nearest they have
 
 void require(nrd::Result result, const nrd::NrdIntegration& integration)
@@ -49,7 +50,7 @@ struct Runner::Impl
     nrd::Identifier identifier() const
     {
         return setup.resolutionDivisor + (setup.hasHistory ? 0 : kWithoutHistory) +
-               (setup.isUpsampled ? kUpsampled : 0);
+               kFullSize * static_cast<nrd::Identifier>(setup.fullSize);
     }
     nrd::Result setSettings();
 
@@ -153,8 +154,15 @@ Runner::Runner(nrd::Denoiser denoiser, nrd::NormalEncoding normals, nrd::Roughne
     : m_impl(std::make_unique<Impl>())
 {
     std::vector<nrd::DenoiserDesc> denoisers = {{1, denoiser, 1}, {2, denoiser, 2}};
-    if (familyOf(denoiser) != Family::Reference) denoisers.push_back({2 + kUpsampled, denoiser, 2, true, true});
-    if (familyOf(denoiser) == Family::Sigma)
+    const auto add = [&](nrd::FullSize fullSize)
+    {
+        const nrd::Identifier identifier = 2 + kFullSize * static_cast<nrd::Identifier>(fullSize);
+        denoisers.push_back({identifier, denoiser, 2, true, fullSize});
+    };
+    const Family family = familyOf(denoiser);
+    if (family != Family::Reference) add(nrd::FullSize::GUIDES_AND_OUTPUTS);
+    if (family == Family::Reblur || family == Family::Relax) add(nrd::FullSize::EVERYTHING);
+    if (family == Family::Sigma)
     {
         denoisers.push_back({1 + kWithoutHistory, denoiser, 1, false});
         denoisers.push_back({2 + kWithoutHistory, denoiser, 2, false});

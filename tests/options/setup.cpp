@@ -111,7 +111,10 @@ void setCheckerboard(Setup& setup, nrd::CheckerboardMode mode)
     setup.sigmaSettings.checkerboardMode = mode;
 }
 
-uint32_t guideDivisor(const Setup& setup) { return setup.isUpsampled ? 1 : setup.resolutionDivisor; }
+uint32_t guideDivisor(const Setup& setup)
+{
+    return setup.fullSize == nrd::FullSize::NOTHING ? setup.resolutionDivisor : 1;
+}
 
 glm::ivec2 rectOf(const Setup& setup, int frame)
 {

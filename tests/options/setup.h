@@ -48,7 +48,7 @@ struct Setup
     nrd::NormalEncoding normalEncoding = nrd::NormalEncoding::R10_G10_B10_A2_UNORM;
     nrd::RoughnessEncoding roughnessEncoding = nrd::RoughnessEncoding::LINEAR;
     uint32_t resolutionDivisor = 1;           // 1 or 2
-    bool isUpsampled = false;                 // only what was traced is smaller: every other pixel of every other row
+    nrd::FullSize fullSize = nrd::FullSize::NOTHING; // with a divisor of 2
     bool hasHistory = true;                   // false: of SIGMA only
     nrd::ReblurSettings settings;             // of REBLUR
     nrd::RelaxSettings relaxSettings;         // of RELAX

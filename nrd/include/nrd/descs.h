@@ -27,6 +27,19 @@ struct MessageSink
     void* userArg = nullptr;
 };
 
+// What keeps the full size, although a denoiser's resolutionDivisor is above 1 and its history small.
+enum class FullSize : uint32_t
+{
+    NOTHING,
+    // Of all but REFERENCE: only the noisy signals and IN_SPEC_MV are small. Pixel p of a signal was traced from pixel
+    // p * resolutionDivisor, counted from rectOrigin; results are upsampled along the guides.
+    GUIDES_AND_OUTPUTS,
+    // Of REBLUR and RELAX, without checkerboard: the noisy signals, too. Those of resolutionDivisor * resolutionDivisor
+    // pixels are averaged along the guides before they are denoised.
+    EVERYTHING,
+    MAX_NUM
+};
+
 struct DenoiserDesc
 {
     Identifier identifier = 0;
@@ -37,10 +50,7 @@ struct DenoiserDesc
     // false, SIGMA only: no temporal stabilisation whatever the settings say, and so no history memory. One such
     // denoiser serves any number of lights, one after another.
     bool hasHistory = true;
-    // With a resolutionDivisor above 1, of all but REFERENCE: only the noisy signals and IN_SPEC_MV are
-    // small. Guides and outputs have the full size: pixel p of a signal was traced from pixel p * resolutionDivisor,
-    // counted from rectOrigin, and the result is upsampled along the guides.
-    bool isUpsampled = false;
+    FullSize fullSize = FullSize::NOTHING; // of no effect with a resolutionDivisor of 1
 };
 
 struct InstanceCreationDesc

@@ -47,6 +47,7 @@ void fillFrame(const Request& request, shared::DenoiserConstants& g)
     g.resourceSizeInvPrev = inverse(common.resourceSizePrev);
     g.rectOrigin = {common.rectOrigin[0], common.rectOrigin[1]};
     g.guideStride = static_cast<int32_t>(request.guideStride);
+    g.signalStride = static_cast<int32_t>(request.signalStride);
     g.fullRectSizeMinusOne = {request.full.rectSize[0] - 1, request.full.rectSize[1] - 1};
     g.rectSizeMinusOne = {common.rectSize[0] - 1, common.rectSize[1] - 1};
     g.unproject = frame.unproject;
