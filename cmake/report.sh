@@ -2,7 +2,7 @@
 # Speed against error from a fresh clone: writes report.md with plots, tables and the benchmark's figures to the folder
 # given (default: report), and the data behind them beside it.
 # BUILD_DIR, NRD_TEST_DATA, JOBS, DEVICE (its number or a part of its name), BENCH and REPORT (options of nrd-bench and
-# nrd-report) may be set in the environment.
+# nrd-report, as --time-size 2560x1440 on a GPU) may be set in the environment.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 out=${1:-report}

@@ -8,8 +8,9 @@ add_library(nrd_report STATIC
     report_points.cpp
     report_row.cpp
     report_run.cpp
-    report_table.cpp)
-target_link_libraries(nrd_report PUBLIC nrd_replay_gpu nrd_program
+    report_table.cpp
+    report_times.cpp)
+target_link_libraries(nrd_report PUBLIC nrd_bench nrd_replay_gpu nrd_program
     PRIVATE nlohmann_json::nlohmann_json CLI11::CLI11 nrd_warnings)
 
 add_executable(nrd-report report_main.cpp)

@@ -43,6 +43,7 @@ int reportOn(Options options)
 {
     const std::filesystem::path folder = options.out;
     options.peer = peerFile(options.peer, "nrd-4.17.4-sequences.json").string();
+    options.peerTimes = peerFile(options.peerTimes, "nrd-4.17.4-h200.json").string();
     prepareFolder(folder);
     prepareFile(folder / "report.md");
     const std::vector<Row> rows = measure(options);

@@ -13,6 +13,7 @@ struct Texts
     std::string denoisers = "(REBLUR|RELAX)_DIFFUSE(_SPECULAR)?|SIGMA_.*|REFERENCE";
     std::string preset = "BALANCED";
     std::vector<std::string> points;
+    std::string timeSize;
 };
 
 void declareOptions(CLI::App& app, Options& options, Texts& texts)
@@ -26,6 +27,10 @@ void declareOptions(CLI::App& app, Options& options, Texts& texts)
     app.add_option("--point", texts.points, "\"NAME: key=value key=value\": settings of your own; repeatable")
         ->take_all();
     app.add_option("--peer", options.peer, "File with recorded figures, drawn beside ours");
+    app.add_option(
+        "--time-size", texts.timeSize,
+        "WxH: GPU times of generated input of this size; the captures' own, which mean little on a fast GPU");
+    app.add_option("--peer-times", options.peerTimes, "File with recorded times, for --time-size");
     app.add_option("--frames", options.frameCount, "Replay only so many frames")
         ->check(CLI::Range(size_t(1), size_t(1000000)));
     app.add_option("--device", options.device, "Number or part of the name of the device");
@@ -46,6 +51,7 @@ void complete(Options& options, const Texts& texts)
 {
     parseNames("--points", options.pointNames);
     options.denoisers = selectDenoisers(texts.denoisers);
+    if (!texts.timeSize.empty()) options.timeSize = bench::parseSizes(texts.timeSize).front();
     const nrd::Quality preset = parsePreset(texts.preset);
     for (const std::string& text : texts.points)
     {

@@ -1,5 +1,6 @@
 // What nrd-report is asked for.
 #pragma once
+#include "bench_options.h"
 #include "report_points.h"
 
 #include <optional>
@@ -15,6 +16,8 @@ struct Options
     std::vector<Point> points;                    // given on top of the table's
     std::string peer;                             // empty: none
     std::string device;                           // as engine::DeviceDesc::device
+    std::string peerTimes;                        // of timeSize; empty: none
+    bench::Extent timeSize;                       // of generated input that is timed; 0: the captures' own times
     size_t frameCount = 0;                        // 0: all
     bool validation = false;
     bool isDeviceListWanted = false;

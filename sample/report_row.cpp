@@ -8,6 +8,8 @@ std::string textOf(const ReplayReport& report)
 {
     std::string text = nameOf(report.preset);
     for (const auto& [key, value] : report.settings) text += " " + key + "=" + value;
+    if (report.resolution.divisor > 1) text += " divisor=" + std::to_string(report.resolution.divisor);
+    if (report.resolution.divisor > 1 && report.resolution.isSparse) text += " sparse";
     return text;
 }
 

@@ -15,7 +15,7 @@ struct Row
 {
     RowKind kind = RowKind::Ours;
     std::string capture;
-    std::string group; // as groupOf()
+    std::string group;    // as groupOf()
     std::string denoiser; // empty: none, the noisy input
     std::string point;
     std::string settings; // preset and key=value, separated by blanks

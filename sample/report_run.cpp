@@ -3,6 +3,7 @@
 #include "program.h"
 #include "replay_run.h"
 #include "report_front.h"
+#include "report_times.h"
 
 #include <algorithm>
 #include <iostream>
@@ -34,8 +35,10 @@ std::map<std::string, std::vector<const ReplayDenoiser*>> groupsOf(const Options
 class Group
 {
 public:
-    Group(const Options& options, std::shared_ptr<engine::Device> device, const Capture& capture, std::string name)
-        : m_options(options), m_device(std::move(device)), m_capture(capture), m_name(std::move(name))
+    // times: null for those of the captures.
+    Group(const Options& options, std::shared_ptr<engine::Device> device, Times* times, const Capture& capture,
+          std::string name)
+        : m_options(options), m_device(std::move(device)), m_times(times), m_capture(capture), m_name(std::move(name))
     {
     }
 
@@ -47,6 +50,7 @@ public:
             last = replay(denoiser, point);
             if (m_rows.empty()) m_rows.push_back(rowOf(*last, m_name, "noisy input", RowKind::Noisy));
             m_rows.push_back(rowOf(*last, m_name, point.name));
+            if (m_times) m_times->setTime(m_rows.back(), denoiser, point);
         }
         if (last) addPeer(*last);
     }
@@ -72,12 +76,15 @@ private:
     void addPeer(const ReplayReport& report)
     {
         if (m_options.peer.empty()) return;
-        if (const std::optional<PeerFigures> peer = readPeer(m_options.peer, report.capture, report.denoiser))
-            m_rows.push_back(rowOf(*peer, report, m_name));
+        const std::optional<PeerFigures> peer = readPeer(m_options.peer, report.capture, report.denoiser);
+        if (!peer) return;
+        m_rows.push_back(rowOf(*peer, report, m_name));
+        if (m_times) m_times->setPeerTime(m_rows.back());
     }
 
     const Options& m_options;
     const std::shared_ptr<engine::Device> m_device;
+    Times* const m_times;
     const Capture& m_capture;
     const std::string m_name;
     std::vector<Row> m_rows;
@@ -88,15 +95,17 @@ std::vector<Row> measure(const Options& options)
 {
     std::vector<Row> rows;
     std::shared_ptr<engine::Device> device; // opened when there is something to measure
+    std::optional<Times> times;
     for (const std::string& folder : options.captures)
     {
         const Capture capture = Capture::open(folder);
         const auto groups = groupsOf(options, capture);
         if (groups.empty()) throw SettingError(folder + " has the layers of none of the denoisers");
         if (!device) device = createReplayDevice(options.device, options.validation);
+        if (!times && options.timeSize.width > 0) times.emplace(device, options.timeSize, options.peerTimes);
         for (const auto& [name, denoisers] : groups)
         {
-            Group group(options, device, capture, name);
+            Group group(options, device, times ? &*times : nullptr, capture, name);
             for (const ReplayDenoiser* denoiser : denoisers) group.add(*denoiser);
             const std::vector<Row> measured = group.take();
             rows.insert(rows.end(), measured.begin(), measured.end());
