@@ -3,14 +3,16 @@
 
 #include <algorithm>
 #include <iostream>
-#include <limits>
 
 namespace sample::report
 {
 namespace
 {
 constexpr uint32_t kFrameCount = 48;
-constexpr int kRunCount = 3; // of which the fastest counts: a GPU that has rested clocks up only by and by
+// The fastest run counts, once others confirm it: a GPU that has rested clocks up only by and by, and others slow it.
+constexpr int kMaxRunCount = 12;
+constexpr int kConfirmedCount = 4;
+constexpr double kSame = 1.01; // of the fastest
 } // namespace
 
 Times::Times(std::shared_ptr<engine::Device> device, bench::Extent size, const std::filesystem::path& peer)
@@ -43,14 +45,17 @@ double Times::measure(const ReplayDenoiser& denoiser, const Point& point) const
     workload.settings = point.settings;
     workload.resolution = point.resolution;
     workload.frameCount = kFrameCount;
-    double least = std::numeric_limits<double>::infinity();
-    for (int i = 0; i < kRunCount; i++)
+    std::vector<double> times;
+    for (int i = 0; i < kMaxRunCount; i++)
     {
         const bench::Result result = bench::Run({*m_device, denoiser, m_size, workload}).measure();
         if (!result.gpu) throw engine::Error("--time-size: the device has no timestamps");
-        least = std::min(least, result.gpu->total);
+        times.push_back(result.gpu->total);
+        const double limit = kSame * *std::min_element(times.begin(), times.end());
+        const auto isConfirmed = [limit](double time) { return time <= limit; };
+        if (std::count_if(times.begin(), times.end(), isConfirmed) >= kConfirmedCount) break;
     }
-    return least;
+    return *std::min_element(times.begin(), times.end());
 }
 
 void Times::setTime(Row& row, double ms) const

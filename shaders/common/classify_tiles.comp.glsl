@@ -1,6 +1,7 @@
 // Marks 16x16 tiles without a pixel in the denoising range, which every later pass leaves at once, and counts samples
 // whose surface was on the last frame's screen.
 #version 460
+#extension GL_EXT_control_flow_attributes : require
 #extension GL_GOOGLE_include_directive : require
 #define LOBES 3
 #define SIGNAL 0
@@ -45,17 +46,19 @@ void main()
     ivec2 tile = ivec2(gl_WorkGroupID.xy);
     ivec2 first = tile * TILE_SIZE + ivec2(gl_LocalInvocationID.xy) * ivec2(2, 4);
     bool isUsed = false;
-    for (int i = 0; i < 8; i++)
+    float firstViewZ = 0.0;
+    // Unrolled and without branches, so that all reads are under way at once. What lies beyond the rectangle is not ours to
+    // read: the nearest pixel inside, which is of this tile, stands for it.
+    [[unroll]] for (int i = 7; i >= 0; i--)
     {
-        ivec2 pixel = first + ivec2(i & 1, i >> 1);
-        // Pixels beyond the rectangle count as out of range: what lies there is not ours to read.
-        if (!isInRect(pixel)) continue;
-        float viewZ = decodeViewZ(texelFetch(gIn_ViewZ, guideTexel(pixel), 0).x);
-        if (!isInRange(viewZ)) continue;
-        isUsed = true;
-        if (i > 0 || g.isCutDetected == 0u) continue;
+        ivec2 pixel = clampToRect(first + ivec2(i & 1, i >> 1));
+        firstViewZ = decodeViewZ(texelFetch(gIn_ViewZ, guideTexel(pixel), 0).x);
+        isUsed = isUsed || isInRange(firstViewZ);
+    }
+    if (g.isCutDetected != 0u && isInRect(first) && isInRange(firstViewZ))
+    {
         atomicAdd(sSamples, 1u);
-        if (isFound(pixel, viewZ)) atomicAdd(sFound, 1u);
+        if (isFound(first, firstViewZ)) atomicAdd(sFound, 1u);
     }
     if (isUsed) sIsUsed = 1; // every writer writes the same value
     barrier();

@@ -42,7 +42,7 @@ float reconstructionWeight(Pixel p, Lobe lobe, bool isSpecular, ivec2 pixel, vec
     float angle = max(atan(lobeTangent(lobe.roughness, 0.75)), normalEncodingError(kNormalEncoding));
     float weight = exp(-0.66 * 0.25 * dot(offset, offset));
     weight *= heavy(angleBetween(p.guide.N, guide.N) / angle);
-    weight *= soft(planeDistance(p, vec2(pixel), viewZ));
+    weight *= soft(planeDistance(p.plane, vec2(pixel), viewZ));
     float m = square(p.guide.roughness);
     if (isSpecular) weight *= heavy(abs(square(guide.roughness) - m) / mix(0.01, 1.0, m));
     return weight;

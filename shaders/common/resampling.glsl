@@ -1,7 +1,7 @@
 // How much two pixels are of one surface, for taking signals from one size to another. Textures are the caller's.
 #ifndef RESAMPLING_GLSL
 #define RESAMPLING_GLSL
-#include "denoiser.glsl"
+#include "plane.glsl"
 
 // What counts as one surface, in e-folds: off the tangent plane by a thousandth of the frustum's size, turned by so
 // many radians, or of another roughness.
@@ -14,26 +14,20 @@ struct Surface
 {
     vec3 Nv;
     float roughness;
-    float planeStart; // dot(Nv, Xv)
-    float planeScale; // 1 / admissible distance from the plane
-    float turnScale;  // of the specular lobe
+    Plane plane;
+    float turnScale; // of the specular lobe
 };
-
-// Of a place in pixels of the signals, which need not be whole.
-vec3 positionAt(vec2 place, float viewZ)
-{
-    return reconstructViewPosition((place + 0.5) * g.rectSizeInv, g.frustum, viewZ, g.cameraDelta.w);
-}
 
 vec3 viewNormal(Guide guide) { return guide.N * mat3(g.viewToWorld); } // the inverse of a rotation
 
+// place: pixels of the signals, need not be whole.
 Surface makeSurface(Guide guide, vec2 place, float viewZ)
 {
     Surface s;
     s.Nv = viewNormal(guide);
     s.roughness = guide.roughness;
-    s.planeStart = dot(s.Nv, positionAt(place, viewZ));
-    s.planeScale = 1.0 / (kPlaneShare * getFrustumSize(viewZ));
+    vec3 Xv = reconstructViewPosition((place + 0.5) * g.rectSizeInv, g.frustum, viewZ, g.cameraDelta.w);
+    s.plane = makePlane(s.Nv, Xv, kPlaneShare * getFrustumSize(viewZ));
     s.turnScale = 1.0 / max(angleOf(lobeTangent(guide.roughness, 0.5)), kMinSpecularTurn);
     return s;
 }
@@ -41,7 +35,7 @@ Surface makeSurface(Guide guide, vec2 place, float viewZ)
 // Weights of another pixel, for diffuse and specular light. Never 0, so that among strangers the nearest counts.
 vec2 kinship(Surface s, Guide guide, vec2 place, float viewZ)
 {
-    float plane = abs(dot(s.Nv, positionAt(place, viewZ)) - s.planeStart) * s.planeScale;
+    float plane = planeDistance(s.plane, place, viewZ);
     float turn = angleBetween(s.Nv, viewNormal(guide));
     float roughness = abs(guide.roughness - s.roughness) * (1.0 / kRoughnessShare);
     return exp(-min(vec2(plane + turn * (1.0 / kDiffuseTurn), plane + turn * s.turnScale + roughness), 60.0));

@@ -1,7 +1,7 @@
 // The eight-tap recurrent blur that the pre-pass, blur and post-blur share; they differ in a Kernel and in the lobe.
 #ifndef SPATIAL_FILTER_GLSL
 #define SPATIAL_FILTER_GLSL
-#include "denoiser.glsl"
+#include "plane.glsl"
 
 // Four taps at radius 1, four at radius 1/2 on the diagonals; .z = exp(-0.66 r^2).
 const vec3 kTaps[8] = vec3[](
@@ -19,9 +19,7 @@ struct Pixel
     vec3 Vv;
     float NoV;
     float frustumSize;
-    vec3 planeSlope;  // what planeDistance() takes for a position and 1, to be scaled by depth
-    float planeDepth; // for depth
-    float planeStart;
+    Plane plane; // the unit is what lies too far off it
     Guide guide;
 };
 
@@ -62,20 +60,8 @@ Pixel makePixel(ivec2 position, float viewZ, Guide guide)
     p.NoV = abs(dot(p.Nv, p.Vv));
     p.frustumSize = getFrustumSize(viewZ);
     p.guide = guide;
-    bool isOrtho = g.cameraDelta.w != 0.0;
-    vec3 N = p.Nv / (g.planeDistanceSensitivity * p.frustumSize);
-    vec2 step = N.xy * g.frustum.zw * g.rectSizeInv;
-    p.planeSlope = vec3(step, dot(N.xy, g.frustum.xy) + 0.5 * (step.x + step.y) + (isOrtho ? 0.0 : N.z));
-    p.planeDepth = isOrtho ? N.z : 0.0;
-    p.planeStart = dot(N, p.Xv);
+    p.plane = makePlane(p.Nv, p.Xv, g.planeDistanceSensitivity * p.frustumSize);
     return p;
-}
-
-// How far another pixel's surface lies from the centre's tangent plane, 1 being too far.
-float planeDistance(Pixel p, vec2 position, float viewZ)
-{
-    float slope = p.planeSlope.x * position.x + (p.planeSlope.y * position.y + p.planeSlope.z);
-    return abs(slope * (g.cameraDelta.w != 0.0 ? 1.0 : viewZ) + (p.planeDepth * viewZ - p.planeStart));
 }
 
 Weights makeWeights(Pixel p, Lobe lobe, bool isSpecular, float narrowing, float fractionScale, float minHitDist)
@@ -147,7 +133,7 @@ Tap readTap(texture2D viewZs, texture2D normals, Pixel p, Lobe lobe, bool isSpec
     if (mayFold && given.position != place.position) gaussian = 1.0;
     tap.weight = isAccepted ? gaussian : 0.0;
     tap.weight *= soft(angleBetween(p.guide.N, tap.guide.N) * w.normal);
-    tap.weight *= soft(planeDistance(p, tap.position, tap.viewZ));
+    tap.weight *= soft(planeDistance(p.plane, tap.position, tap.viewZ));
     if (isSpecular) tap.weight *= soft(abs(tap.guide.roughness - p.guide.roughness) * w.roughness);
     return tap;
 }

@@ -22,7 +22,7 @@ float fixTapWeight(Pixel p, Lobe lobe, bool isSpecular, ivec2 pixel, Weights w)
     float viewZ = decodeViewZ(texelFetch(gIn_ViewZ, guideTexel(pixel), 0).x);
     Guide guide = decodeGuide(texelFetch(gIn_NormalRoughness, guideTexel(pixel), 0));
     float weight = heavy(angleBetween(p.guide.N, guide.N) * w.normal);
-    weight *= soft(planeDistance(p, vec2(pixel), viewZ));
+    weight *= soft(planeDistance(p.plane, vec2(pixel), viewZ));
     if (isSpecular) weight *= heavy(abs(square(guide.roughness) - square(p.guide.roughness)) * w.roughness);
     bool isUsed = isInRange(viewZ) && isSameMaterial(p.guide.materialID, guide.materialID, lobe.minMaterial);
     return isUsed ? weight : 0.0;

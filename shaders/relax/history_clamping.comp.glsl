@@ -153,7 +153,7 @@ float fixTapWeight(Pixel p, Lobe lobe, bool isSpecular, ivec2 pixel, Weights w)
 {
     float viewZ = decodeViewZ(texelFetch(gIn_ViewZ, guideTexel(pixel), 0).x);
     Guide guide = decodeGuide(texelFetch(gIn_NormalRoughness, guideTexel(pixel), 0));
-    float weight = soft(planeDistance(p, vec2(pixel), viewZ));
+    float weight = soft(planeDistance(p.plane, vec2(pixel), viewZ));
     weight *= isSpecular ? heavy(angleBetween(p.guide.N, guide.N) * w.normal)
                          : pow(max(dot(p.guide.N, guide.N), 0.01), g.relaxFixNormalPower);
     if (isSpecular) weight *= soft(abs(guide.roughness - p.guide.roughness) * w.roughness);
@@ -198,7 +198,7 @@ Signal suppressFirefly(texture2D t, Pixel p, Lobe lobe, ivec2 position, Signal s
         float viewZ = decodeViewZ(texelFetch(gIn_ViewZ, guideTexel(pixel), 0).x);
         Guide guide = decodeGuide(texelFetch(gIn_NormalRoughness, guideTexel(pixel), 0));
         bool isLike = isInRange(viewZ) && dot(guide.N, p.guide.N) > 0.99 &&
-                      planeDistance(p, vec2(pixel), viewZ) < 1.0 &&
+                      planeDistance(p.plane, vec2(pixel), viewZ) < 1.0 &&
                       isSameMaterial(p.guide.materialID, guide.materialID, lobe.minMaterial);
         float Y = texelFetch(t, pixel, 0).x;
         if (isInRange(viewZ)) highest = max(highest, Y);

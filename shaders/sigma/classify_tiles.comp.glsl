@@ -1,5 +1,6 @@
 // Which kinds of ray the 16x16 pixels of a tile have: through to the light, or met by something.
 #version 460
+#extension GL_EXT_control_flow_attributes : require
 #extension GL_GOOGLE_include_directive : require
 #include "bindings.h"
 
@@ -34,12 +35,13 @@ void main()
     ivec2 tile = ivec2(gl_WorkGroupID.xy);
     ivec2 first = tile * TILE_SIZE + ivec2(gl_LocalInvocationID.xy) * ivec2(2, 4);
     uint kinds = 0u;
-    for (int i = 0; i < 8; i++)
+    // Unrolled and without branches, so that all reads are under way at once; what lies outside is its neighbour again.
+    [[unroll]] for (int i = 0; i < 8; i++)
     {
-        ivec2 pixel = first + ivec2(i & 1, i >> 1);
-        if (!isInRect(pixel)) continue;
+        ivec2 pixel = clampToRect(first + ivec2(i & 1, i >> 1));
         float viewZ = decodeViewZ(texelFetch(gIn_ViewZ, guideTexel(pixel), 0).x);
-        if (isInRange(viewZ)) kinds |= kindsOf(readInputSample(pixel, viewZ));
+        uint own = kindsOf(readInputSample(pixel, viewZ));
+        kinds |= isInRange(viewZ) ? own : 0u;
     }
     atomicOr(sKinds, kinds);
     barrier();

@@ -4,6 +4,7 @@
 // ivec2 pixel), of the last frames, kNone where there is none.
 #ifndef PENUMBRA_FILTER_GLSL
 #define PENUMBRA_FILTER_GLSL
+#include "plane.glsl"
 #extension GL_EXT_control_flow_attributes : require
 
 const int kRadius = 2;
@@ -86,7 +87,8 @@ struct Receiver
     vec3 Xv;
     vec3 Nv;
     float pixelSize;
-    float planeScale; // 1 / world units
+    float tooFar; // from the plane, world units
+    Plane plane;  // in these
 };
 
 Receiver makeReceiver(ivec2 pixel, float viewZ)
@@ -97,14 +99,14 @@ Receiver makeReceiver(ivec2 pixel, float viewZ)
     vec3 N = decodeGuide(texelFetch(gIn_NormalRoughness, guideTexel(pixel), 0)).N;
     r.Nv = N * mat3(g.viewToWorld); // the inverse of a rotation
     r.pixelSize = getPixelSize(viewZ);
-    r.planeScale = 1.0 / (g.planeDistanceSensitivity * getFrustumSize(viewZ));
+    r.tooFar = g.planeDistanceSensitivity * getFrustumSize(viewZ);
+    r.plane = makePlane(r.Nv, r.Xv, r.tooFar);
     return r;
 }
 
 float planeWeight(Receiver r, ivec2 pixel, float viewZ)
 {
-    vec3 Xv = reconstructViewPosition(pixelUv(pixel), g.frustum, viewZ, g.cameraDelta.w);
-    return soft(abs(dot(r.Nv, Xv - r.Xv)) * r.planeScale);
+    return soft(planeDistance(r.plane, vec2(pixel), viewZ));
 }
 
 // Small penumbrae dominate the mean: near a contact the narrow one is right.

@@ -10,7 +10,7 @@ float isSamePlane(Receiver r, vec3 Xprev, ivec2 texel, float viewZ)
     vec2 uv = (vec2(texel) + 0.5) / g.rectSizePrev;
     vec3 X = transform(g.viewToWorldPrev, reconstructViewPosition(uv, g.frustumPrev, viewZ, g.cameraDelta.w));
     vec3 N = rotate(g.viewToWorld, r.Nv);
-    return abs(dot(N, X - Xprev)) * r.planeScale < 1.0 ? 1.0 : 0.0;
+    return abs(dot(N, X - Xprev)) < r.tooFar ? 1.0 : 0.0;
 }
 
 Past reproject(Receiver r, float viewZ)
