@@ -22,14 +22,17 @@ void Core::denoise(VkCommandBuffer commandBuffer, rhi::Span<const Identifier> id
     try
     {
         if (hasDump) planDump(identifiers, userPool); // first, as its failure breaks no history
+        if (isTransferPending()) planTransfer();
         dispatches = request(identifiers);
         m_planner->plan(planContext(userPool, arrival ? *arrival : userPool), dispatches, options);
     }
     catch (...)
     {
         if (arrival) userPool = *arrival;
+        if (isTransferPending()) m_transfer->cancel(*m_pools);
         throw;
     }
+    if (isTransferPending()) recordTransfer(commands);
     if (hasDump) m_dump->record(commands, copyContext());
     record(commands, m_planner->latest(), description(), {*m_timer, *m_trace}, m_desc.name);
     const bool isRepeatable = options.recording != 0 && !hasDump && !isObserved();
@@ -144,7 +147,7 @@ bool Core::repairHistory(rhi::Span<const Identifier> identifiers)
 PlanContext Core::planContext(NrdUserPool& userPool, const NrdUserPool& arrival)
 {
     return {m_device,    description(), m_pipelines, *m_constants,        *m_pools, m_views, m_retired,
-            frameSets(), userPool,      arrival,     m_desc.layoutPolicy, m_frame};
+            frameSets(), userPool,      arrival,     m_desc.layoutPolicy, isTransientShared(), m_frame};
 }
 
 rhi::CommandBuffer& Core::wrap(VkCommandBuffer commandBuffer)
