@@ -68,13 +68,14 @@ void Core::CreationMessage::report(void* userArg, Result, const char* text)
 
 Core::Core(rhi::Device& device, const IntegrationCreationDesc& desc, const InstanceCreationDesc& instanceDesc)
     : m_device(device), m_name(desc.name ? desc.name : "NRD"), m_desc(checked(desc)), m_instanceDesc(instanceDesc),
-      m_instance(createInstance()), m_pipelines(device, m_name.c_str(), description().pipelinesNum), m_views(device),
+      m_instance(createInstance()), m_memory(device, desc.deviceMemory),
+      m_pipelines(device, m_name.c_str(), description().pipelinesNum), m_views(device),
       m_transferPipelines(device, m_name.c_str())
 {
     m_desc.name = m_name.c_str();
     m_desc.native = {};
     m_instanceDesc.denoisers = nullptr; // the caller's; m_denoisers has the copy
-    const PoolsDesc pools = {m_name.c_str(), desc.resourceWidth, desc.resourceHeight, desc.transientMemory};
+    const PoolsDesc pools = {m_name.c_str(), desc.resourceWidth, desc.resourceHeight, desc.transientMemory, &m_memory};
     m_pools = std::make_unique<Pools>(m_device, pools, description());
     createFrameResources();
     if (desc.createDefaultPipelines) createDefaultPipelines();
@@ -160,7 +161,7 @@ PoolMemoryRequirements Core::memoryRequirements(rhi::Device& device, const Integ
 {
     CreationMessage message; // must outlive the instance
     const UniqueInstance instance = createInstance(instanceDesc, message);
-    const PoolsDesc pools = {"NRD", checked(desc).resourceWidth, desc.resourceHeight, {}};
+    const PoolsDesc pools = {"NRD", checked(desc).resourceWidth, desc.resourceHeight, {}, nullptr};
     return poolMemoryRequirements(device, pools, GetInstanceDesc(*instance));
 }
 
@@ -225,16 +226,14 @@ MemoryStatistics Core::memoryStatistics() const
     MemoryStatistics result;
     result.permanent = m_pools->permanent().byteSize();
     result.transient = m_pools->transient().byteSize();
+    result.total = m_memory.byteSize();
     for (const rhi::MemoryReportLine& line : m_device.memoryReport())
         for (const char* const part : {"permanent", "transient", "constants", "buffers"})
             if (line.tag == memoryTag(m_desc.name, part)) result.total += line.byteSize;
     return result;
 }
 
-NrdMemory Core::transientMemory() const
-{
-    return isTransientShared() ? m_pools->transient().memory() : NrdMemory();
-}
+NrdMemory Core::transientMemory() const { return isTransientShared() ? m_pools->transient().memory() : NrdMemory(); }
 
 IntegrationStatistics Core::statistics() const
 {

@@ -119,6 +119,7 @@ private:
     CreationMessage m_creationMessage;
     UniqueInstance m_instance;
 
+    MemorySource m_memory; // before the pools, the retired ones too
     Pipelines m_pipelines;
     ViewCache m_views;
     RetireQueue m_retired;

@@ -147,8 +147,9 @@ bool Core::repairHistory(rhi::Span<const Identifier> identifiers)
 
 PlanContext Core::planContext(NrdUserPool& userPool, const NrdUserPool& arrival)
 {
-    return {m_device,    description(), m_pipelines, *m_constants,        *m_pools, m_views, m_retired,
-            frameSets(), userPool,      arrival,     m_desc.layoutPolicy, isTransientShared(), m_frame};
+    return {
+        m_device, description(), m_pipelines,         *m_constants,        *m_pools, m_views, m_retired, frameSets(),
+        userPool, arrival,       m_desc.layoutPolicy, isTransientShared(), m_frame};
 }
 
 rhi::CommandBuffer& Core::wrap(VkCommandBuffer commandBuffer)

@@ -25,7 +25,8 @@ void Core::resize(uint32_t width, uint32_t height, const NrdMemory& transientMem
     checkResourceSize(width, height);
     const bool isSameMemory = transientMemory.memory == VK_NULL_HANDLE;
     if (width == m_desc.resourceWidth && height == m_desc.resourceHeight && isSameMemory) return;
-    const PoolsDesc desc = {m_name.c_str(), width, height, isSameMemory ? m_desc.transientMemory : transientMemory};
+    const PoolsDesc desc = {m_name.c_str(), width, height, isSameMemory ? m_desc.transientMemory : transientMemory,
+                            &m_memory};
     auto pools = std::make_unique<Pools>(m_device, desc, description());
     m_retired.reserve(4);
     // From here on nothing fails.

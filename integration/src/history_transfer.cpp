@@ -80,8 +80,7 @@ void HistoryTransfer::planMove(const rhi::Pipeline& pipeline, const rhi::Texture
 {
     const rhi::Texture& to = target.permanent().texture(texture);
     const rhi::TextureState& before = m_source->states.state(texture);
-    if (needsBarrier(before, sampled))
-        m_barriers.push_back({&m_source->permanent().texture(texture), before, sampled});
+    if (needsBarrier(before, sampled)) m_barriers.push_back({&m_source->permanent().texture(texture), before, sampled});
     m_barriers.push_back({&to, rhi::states::kUndefined, rhi::states::kStorageWrite});
 
     rhi::DescriptorWrite writes[2];

@@ -117,8 +117,8 @@ struct NrdIntegration::Impl
                             [&]
                             {
                                 if (!device) impl.ownedDevice = wrapDevice(desc.native);
-                                requirements = Core::memoryRequirements(device ? *device : *impl.ownedDevice, desc,
-                                                                        instanceDesc);
+                                requirements =
+                                    Core::memoryRequirements(device ? *device : *impl.ownedDevice, desc, instanceDesc);
                             });
     }
 };

@@ -2,8 +2,6 @@
 #include "convert.h"
 #include "refusal.h"
 #include <algorithm>
-#include <bit>
-#include <rhi/vulkan.h>
 
 namespace nrd
 {
@@ -45,24 +43,6 @@ Placement place(rhi::Device& device, const std::vector<rhi::TextureDesc>& textur
         result.needs.memoryTypeBits &= needs.memoryTypeBits;
     }
     return result;
-}
-
-void checkLent(const NrdMemory& memory, const PoolsDesc& desc, const VkMemoryRequirements& needs)
-{
-    using Number = unsigned long long;
-    if (needs.memoryTypeBits == 0)
-        throw Refusal(Result::UNSUPPORTED, "transientMemory: no memory type of this device serves the whole pool");
-    if (memory.memoryTypeIndex >= 32 || !(needs.memoryTypeBits >> memory.memoryTypeIndex & 1))
-        throw Refusal(Result::INVALID_ARGUMENT,
-                      sentence("transientMemory.memoryTypeIndex is %u, must be a bit of 0x%x", memory.memoryTypeIndex,
-                               needs.memoryTypeBits));
-    if (memory.offset % needs.alignment != 0)
-        throw Refusal(Result::INVALID_ARGUMENT, sentence("transientMemory.offset is %llu, must be a multiple of %llu",
-                                                         Number(memory.offset), Number(needs.alignment)));
-    if (memory.size < needs.size)
-        throw Refusal(Result::INVALID_ARGUMENT,
-                      sentence("transientMemory.size is %llu, must be at least %llu at %u x %u", Number(memory.size),
-                               Number(needs.size), desc.width, desc.height));
 }
 
 // Names point into `names`, which must live as long.
@@ -107,31 +87,37 @@ TexturePool::TexturePool(rhi::Device& device, const PoolsDesc& desc, rhi::Span<c
     const std::vector<std::string> names = textureNames(desc, textures.size(), letter);
     const std::vector<rhi::TextureDesc> descs = textureDescs(desc, textures, names, tag.c_str());
     const Placement placement = place(device, descs);
-    const VkMemoryRequirements& needs = placement.needs;
     if (lent.memory != VK_NULL_HANDLE)
-    {
-        checkLent(lent, desc, needs);
-        m_memory = rhi::wrapVulkanMemory(
-            device, lent.memory, {lent.offset + needs.size, 1u << lent.memoryTypeIndex, tag.c_str(), tag.c_str()});
-    }
+        m_blocks.push_back(
+            lentBlock(device, lent, placement.needs, tag, sentence(" at %u x %u", desc.width, desc.height)));
     else
-    {
-        m_byteSize = needs.size;
-        if (needs.memoryTypeBits != 0)
-            m_memory = device.createMemory({needs.size, needs.memoryTypeBits, tag.c_str(), tag.c_str()});
-    }
-    if (m_memory)
-        m_block = {rhi::vulkanMemory(*m_memory), lent.offset, needs.size,
-                   static_cast<uint32_t>(std::countr_zero(m_memory->memoryTypeBits()))};
+        allocate(device, descs, placement.needs, *desc.source, tag);
     for (size_t i = 0; i < descs.size(); i++)
     {
+        const bool isShared = m_blocks.size() == 1; // also that of a pool of one texture
+        const MemoryBlock& block = m_blocks[isShared ? 0 : i];
+        const uint64_t offset = block.place().offset + (isShared ? placement.offsets[i] : 0);
         Slot slot;
-        slot.texture = m_memory
-                           ? device.createPlacedTexture(descs[i], *m_memory, m_block.offset + placement.offsets[i])
-                           : device.createTexture(descs[i]);
+        slot.texture = device.createPlacedTexture(descs[i], block.memory(), offset);
         slot.sampled = device.createView(*slot.texture, {rhi::ViewType::Sampled, {0, 1}});
         slot.storage = device.createView(*slot.texture, {rhi::ViewType::Storage, {0, 1}});
         m_slots.push_back(std::move(slot));
+    }
+}
+
+void TexturePool::allocate(rhi::Device& device, const std::vector<rhi::TextureDesc>& descs,
+                           const VkMemoryRequirements& needs, MemorySource& source, const std::string& tag)
+{
+    m_byteSize = needs.size;
+    if (needs.memoryTypeBits != 0)
+    {
+        m_blocks.push_back(source.allocate(needs, tag));
+        return;
+    }
+    for (const rhi::TextureDesc& texture : descs)
+    {
+        const rhi::MemoryRequirements own = device.textureMemoryRequirements(texture);
+        m_blocks.push_back(source.allocate({own.size, own.alignment, own.memoryTypeBits}, tag));
     }
 }
 

@@ -1,5 +1,6 @@
 // The textures and buffers that the descriptor library asks for, at one resource size.
 #pragma once
+#include "memory_source.h"
 #include "retire_queue.h"
 #include "state_tracker.h"
 #include <nrd/integration.h>
@@ -14,6 +15,7 @@ struct PoolsDesc
     uint32_t width = 1;    // pixels, resource size
     uint32_t height = 1;
     NrdMemory transientMemory = {}; // lent by the application; null: allocated
+    MemorySource* source = nullptr; // of what is not lent, outlives the pools; null: none is made
 };
 
 /// Textures in one block of memory, and the views of each.
@@ -27,7 +29,7 @@ public:
     uint32_t size() const { return static_cast<uint32_t>(m_slots.size()); }
     uint64_t byteSize() const { return m_byteSize; }
     /// Null if it is empty or if no memory type serves all of its textures.
-    NrdMemory memory() const { return m_block; }
+    NrdMemory memory() const { return m_blocks.size() == 1 ? m_blocks[0].place() : NrdMemory(); }
     const rhi::Texture& texture(uint32_t index) const { return *m_slots[index].texture; }
     const rhi::TextureView& view(uint32_t index, rhi::ViewType type) const
     {
@@ -35,14 +37,16 @@ public:
     }
 
 private:
+    void allocate(rhi::Device& device, const std::vector<rhi::TextureDesc>& descs, const VkMemoryRequirements& needs,
+                  MemorySource& source, const std::string& tag);
+
     struct Slot
     {
         std::unique_ptr<rhi::Texture> texture;
         std::unique_ptr<rhi::TextureView> sampled;
         std::unique_ptr<rhi::TextureView> storage;
     };
-    std::unique_ptr<rhi::Memory> m_memory; // empty if no memory type serves all of them
-    NrdMemory m_block;                     // the part of it that is the pool's
+    std::vector<MemoryBlock> m_blocks; // one, or one for each texture if no memory type serves all of them
     std::vector<Slot> m_slots;
     uint64_t m_byteSize = 0; // as the driver asked for; 0 in memory that is lent
 };

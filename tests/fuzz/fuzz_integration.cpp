@@ -56,7 +56,7 @@ private:
     uint32_t m_denoiserNum = 0;
     uint32_t m_width = 0, m_height = 0;
     uint32_t m_lastWidth = 0, m_lastHeight = 0; // of the last frame, 0: there was none
-    uint32_t m_frameIndex = 0; // of the last frame
+    uint32_t m_frameIndex = 0;                  // of the last frame
     sample::ReplaySettings m_settings = {test::makeCommon(), {}, {}, {}, {}};
     uint32_t m_reportNum = 0;
 };

@@ -225,7 +225,8 @@ TEST_CASE("the first picture after a resize has the history of those before", "[
 
 TEST_CASE("a history keeps its length across sizes, also of several resizes in a row", "[gpu]")
 {
-    Engine engine(Denoiser::REBLUR_DIFFUSE, {72, 48}, 3, GENERATE(nrd::LayoutPolicy::OPTIMAL, nrd::LayoutPolicy::GENERAL));
+    Engine engine(Denoiser::REBLUR_DIFFUSE, {72, 48}, 3,
+                  GENERATE(nrd::LayoutPolicy::OPTIMAL, nrd::LayoutPolicy::GENERAL));
     engine.runFrames(10);
     engine.resize({33, 20});
     engine.resize({90, 64}); // no frame came in between

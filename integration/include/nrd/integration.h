@@ -67,6 +67,18 @@ struct NrdMemoryUse
     VkPipelineStageFlags stages = VK_PIPELINE_STAGE_ALL_COMMANDS_BIT; // 0: not at all
 };
 
+/// The application's allocator of device memory for the texture pools; both functions or none. Called within Create()
+/// and Resize(), and where the GPU is done with a pool: within NewFrame(), SetCommonSettings() and Destroy().
+struct DeviceMemoryCallbacks
+{
+    /// Fills in a block that serves `needs`, or returns false: the call that needed it is refused with FAILURE. `name`
+    /// is "NRD permanent" or "NRD transient" and not kept.
+    bool (*allocate)(void* userArg, const VkMemoryRequirements& needs, const char* name, NrdMemory& memory) = nullptr;
+    /// Takes back what allocate() gave.
+    void (*free)(void* userArg, const NrdMemory& memory) = nullptr;
+    void* userArg = nullptr;
+};
+
 /// Device memory of the two texture pools. A size of 0: the pool is empty. No memory type: each texture is allocated
 /// by itself, and the pool cannot be lent.
 struct PoolMemoryRequirements
@@ -93,6 +105,9 @@ struct IntegrationCreationDesc
     /// The transient pool's memory, lent by the application: what GetMemoryRequirements() asks for, in any number of
     /// integrations at once. It outlives the integration, and is taken as shared. Null: allocated.
     NrdMemory transientMemory = {};
+    /// Where the pools' other memory comes from; null: vkAllocateMemory(). Buffers (constants, copies for the host) are
+    /// small and the integration's own.
+    DeviceMemoryCallbacks deviceMemory = {};
 };
 
 /// How an image was left, or must be found, between two uses: what an image barrier names on that side. States of

@@ -123,8 +123,8 @@ void CommandBuffer::barrier(const MemoryBarrier& memory)
     const NativeState after = toVulkan(memory.after);
     if (m_context.info.hasSynchronization2)
     {
-        const VkMemoryBarrier2 barrier = {VK_STRUCTURE_TYPE_MEMORY_BARRIER_2, nullptr, before.stages,
-                                          before.access, after.stages, after.access};
+        const VkMemoryBarrier2 barrier = {
+            VK_STRUCTURE_TYPE_MEMORY_BARRIER_2, nullptr, before.stages, before.access, after.stages, after.access};
         auto info = vkStruct<VkDependencyInfo>(VK_STRUCTURE_TYPE_DEPENDENCY_INFO);
         info.memoryBarrierCount = 1;
         info.pMemoryBarriers = &barrier;

@@ -1,6 +1,8 @@
-// Scratch memory that the library and the application use in turn, whosever it is.
+// Device memory of the pools: lent by the application, shared with it, or from its allocator.
 #include "reblur_engine.h"
 #include "recording_fixture.h"
+#include <bit>
+#include <map>
 #include <rhi/recording.h>
 
 using nrd::ResourceType;
@@ -20,6 +22,40 @@ enum class Owner
     Nobody, // not shared
     Application,
     Library,
+    Allocator, // of the application, for both pools
+};
+
+// Gives every block at an offset that is not 0, and takes it back.
+struct Allocator
+{
+    explicit Allocator(rhi::Device& memoryDevice) : device(memoryDevice) {}
+    nrd::DeviceMemoryCallbacks callbacks() { return {allocate, free, this}; }
+
+    static bool allocate(void* self, const VkMemoryRequirements& needs, const char* name, nrd::NrdMemory& memory)
+    {
+        Allocator& allocator = *static_cast<Allocator*>(self);
+        if (allocator.isExhausted) return false;
+        auto block =
+            allocator.device.createMemory({needs.alignment + needs.size, needs.memoryTypeBits, name, "application's"});
+        memory = {rhi::vulkanMemory(*block), needs.alignment, needs.size,
+                  static_cast<uint32_t>(std::countr_zero(block->memoryTypeBits()))};
+        allocator.given[memory.memory] = std::move(block);
+        allocator.byteSize += needs.size;
+        allocator.names.push_back(name);
+        return true;
+    }
+    static void free(void* self, const nrd::NrdMemory& memory)
+    {
+        Allocator& allocator = *static_cast<Allocator*>(self);
+        CHECK(allocator.given.erase(memory.memory) == 1);
+        allocator.byteSize -= memory.size;
+    }
+
+    rhi::Device& device;
+    std::map<VkDeviceMemory, std::unique_ptr<rhi::Memory>> given;
+    std::vector<std::string> names;
+    uint64_t byteSize = 0;
+    bool isExhausted = false;
 };
 
 constexpr nrd::NrdMemoryUse kTransfer = {VK_ACCESS_TRANSFER_WRITE_BIT, VK_PIPELINE_STAGE_TRANSFER_BIT};
@@ -80,11 +116,13 @@ std::vector<float> picture(Owner owner, const nrd::NrdMemoryUse& use, bool isSyn
     nrd::NrdMemory block;
     std::unique_ptr<rhi::Memory> memory;
     std::unique_ptr<Tenant> tenant;
+    Allocator allocator(engine.gpu.device());
     if (owner != Owner::Nobody)
     {
         if (owner == Owner::Application) memory = allocate(engine, block);
         engine.desc.transientMemory = block;
-        engine.desc.isTransientMemoryShared = owner == Owner::Library;
+        engine.desc.isTransientMemoryShared = owner != Owner::Application; // which implies it
+        if (owner == Owner::Allocator) engine.desc.deviceMemory = allocator.callbacks();
         nrd::InstanceCreationDesc instance;
         instance.denoisers = &engine.denoiser;
         instance.denoisersNum = 1;
@@ -111,8 +149,10 @@ std::vector<float> picture(Owner owner, const nrd::NrdMemoryUse& use, bool isSyn
     }
     engine.frames.wait();
     result = engine.images.images[5].texels<float>();
+    CHECK(allocator.given.size() == (owner == Owner::Allocator ? 2 : 0));
     engine.integration.Destroy();
     tenant.reset();
+    CHECK(allocator.given.empty());
     engine.gpu.finish();
     return result;
 }
@@ -124,6 +164,7 @@ TEST_CASE("transient memory that the application uses between the calls changes 
     CHECK(picture(Owner::Application, {}, true) == alone);
     CHECK(picture(Owner::Library, kTransfer, true) == alone);
     CHECK(picture(Owner::Application, kTransfer, false) == alone);
+    CHECK(picture(Owner::Allocator, kTransfer, false) == alone);
 }
 
 TEST_CASE("integrations that share one block of scratch memory do not disturb each other", "[gpu]")
@@ -190,9 +231,8 @@ TEST_CASE("what pools will take is known before anything is there, and nothing i
     REQUIRE(f.denoisers.size() == 2);
     f.desc.resourceHeight = 0;
     std::string message;
-    f.instanceDesc.messageSink = {[](void* text, nrd::Result, const char* sentence)
-                                  { *static_cast<std::string*>(text) = sentence; },
-                                  &message};
+    f.instanceDesc.messageSink = {
+        [](void* text, nrd::Result, const char* sentence) { *static_cast<std::string*>(text) = sentence; }, &message};
     CHECK(nrd::IntegrationAccess::GetMemoryRequirements(*f.device, f.desc, f.instanceDesc, needs) ==
           nrd::Result::INVALID_ARGUMENT);
     CHECK(message == "resourceHeight is 0, must be at least 1");
@@ -302,4 +342,65 @@ TEST_CASE("recordings with shared memory are repeated as long as its uses are th
     CHECK_FALSE(isRecorded());
     options.transientAfter = kTransfer;
     CHECK(isRecorded());
+}
+
+TEST_CASE("an application's allocator gives the pools their memory, and gets it back when the GPU is done", "[unit]")
+{
+    RecordingFixture f({{3, nrd::Denoiser::REBLUR_DIFFUSE_SPECULAR}});
+    f.desc.framesInFlight = 2;
+    f.fillReblurSlots();
+    Allocator allocator(*f.device);
+    f.desc.deviceMemory = allocator.callbacks();
+    f.requireCreated();
+    CHECK(allocator.names == std::vector<std::string>{"NRD permanent", "NRD transient"});
+    const nrd::MemoryStatistics memory = f.integration.GetMemoryStatistics();
+    CHECK(memory.permanent + memory.transient == allocator.byteSize);
+    CHECK(memory.total > allocator.byteSize); // with the constants
+    f.beginFrame();
+    require(f.denoise({3}), f.integration);
+    f.width = f.height = 32;
+    f.fillReblurSlots();
+    allocator.isExhausted = true;
+    CHECK(f.integration.Resize(32, 32) == nrd::Result::FAILURE);
+    CHECK(std::string(f.integration.GetLastMessage()).find("deviceMemory.allocate() has no ") == 0);
+    CHECK(allocator.given.size() == 2);
+    allocator.isExhausted = false;
+    require(f.integration.Resize(32, 32), f.integration);
+    CHECK(allocator.given.size() == 4);
+    for (uint32_t frame = 0; frame < 3; frame++)
+    {
+        CHECK(allocator.given.size() == (frame < 2 ? 4 : 3)); // scratch goes before history, which moves in the first
+        f.beginFrame();
+        require(f.denoise({3}), f.integration);
+    }
+    CHECK(allocator.given.size() == 2);
+    f.integration.Destroy();
+    CHECK(allocator.given.empty());
+    CHECK(allocator.byteSize == 0);
+}
+
+TEST_CASE("an allocator that is half there, or gives what does not serve, is refused with its name", "[unit]")
+{
+    RecordingFixture f({{3, nrd::Denoiser::REBLUR_DIFFUSE_SPECULAR}});
+    Allocator allocator(*f.device);
+    f.desc.deviceMemory = allocator.callbacks();
+    f.desc.deviceMemory.free = nullptr;
+    requireRefusal(f.create(), f.integration, "deviceMemory.free is null, but deviceMemory.allocate is not");
+    f.desc.deviceMemory = {nullptr, Allocator::free, &allocator};
+    requireRefusal(f.create(), f.integration, "deviceMemory.allocate is null, but deviceMemory.free is not");
+    static uint32_t freed = 0;
+    freed = 0;
+    f.desc.deviceMemory.free = [](void*, const nrd::NrdMemory&) { freed++; };
+    f.desc.deviceMemory.allocate = [](void*, const VkMemoryRequirements&, const char*, nrd::NrdMemory&)
+    { return true; };
+    requireRefusal(f.create(), f.integration, "deviceMemory.allocate() returned true, but memory is null");
+    f.desc.deviceMemory.allocate = [](void*, const VkMemoryRequirements& needs, const char*, nrd::NrdMemory& memory)
+    {
+        memory = {reinterpret_cast<VkDeviceMemory>(uintptr_t(0xABC)), 0, needs.size - 1, 0};
+        return true;
+    };
+    CHECK(f.create() == nrd::Result::INVALID_ARGUMENT);
+    CHECK(std::string(f.integration.GetLastMessage()).find("deviceMemory.allocate(): memory.size is ") == 0);
+    CHECK(freed == 2);
+    CHECK(f.device->objectCount() == 0);
 }
