@@ -22,7 +22,7 @@ target_link_libraries(nrd_measures PUBLIC nrd_capture PRIVATE Threads::Threads n
 # What programs share round their work.
 add_library(nrd_program STATIC program.cpp)
 target_compile_definitions(nrd_program PRIVATE NRD_TEST_DATA="${NRD_TEST_DATA}")
-target_link_libraries(nrd_program PUBLIC nrd_capture nrd::nrd PRIVATE nrd_measures CLI11::CLI11 nrd_warnings)
+target_link_libraries(nrd_program PUBLIC nrd_capture nrd::nrd PRIVATE nrd_fields nrd_measures CLI11::CLI11 nrd_warnings)
 
 # The denoisers by name and --set, of all programs.
 add_library(nrd_settings STATIC name_choice.cpp replay_denoisers.cpp replay_settings.cpp)
