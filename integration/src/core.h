@@ -60,7 +60,7 @@ private:
     struct DenoiserState
     {
         DenoiserDesc desc;
-        // As set last, for a new instance.
+        // As set last, for dumps and diagnoses.
         std::variant<std::monostate, ReblurSettings, RelaxSettings, SigmaSettings, ReferenceSettings> settings;
         uint64_t lastFrame = 0;       // that it was denoised in
         bool isHistoryBroken = false; // its last request was planned, but not recorded

@@ -58,7 +58,7 @@ void Core::dropHistory()
 
 void Core::planTransfer()
 {
-    m_retired.reserve(2);
+    m_retired.reserve(2 + m_views.size()); // planning what follows may retire views
     m_transfer->plan(m_device, m_transferPipelines, m_desc.layoutPolicy, *m_pools);
 }
 
