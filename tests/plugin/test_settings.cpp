@@ -40,8 +40,7 @@ bool isCapped(RecordingPlugin& plugin, uint32_t frame)
     device.clearCalls();
     requireSuccess(NrdPluginExecute(NrdPluginGetEventId(kReblur, kFirstFrame + frame)));
     for (const rhi::RecordedCall& call : device.calls())
-        if (call.type == rhi::CallType::BeginLabel && call.name.find("Firefly cap") != std::string::npos)
-            return true;
+        if (call.type == rhi::CallType::BeginLabel && call.name.find("Firefly cap") != std::string::npos) return true;
     return false;
 }
 } // namespace
