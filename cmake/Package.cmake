@@ -100,8 +100,12 @@ install(FILES CMakeLists.txt CMakePresets.json README.md LICENSE CHANGELOG.md DE
 # cpack: .deb of runtime and development, .tar.gz of all three.
 set(CPACK_GENERATOR DEB TGZ)
 set(CPACK_PACKAGE_VENDOR "The project's authors")
-set(NRD_PACKAGE_CONTACT "The project's authors <nrd@localhost>" CACHE STRING
-    "Maintainer of the packages, name and address: whoever distributes them sets it")
+# Names under .invalid belong to nobody, by RFC 2606: a package that was built for oneself claims no one's address.
+set(NRD_PACKAGE_CONTACT "nrd built from source <unmaintained@nrd.invalid>" CACHE STRING
+    "Maintainer of the packages, 'name <address>': whoever distributes them sets it")
+if(NOT NRD_PACKAGE_CONTACT MATCHES "^[^<>]*[^<> ] <[^<>@ ]+@[^<>@ ]+>$")
+    message(FATAL_ERROR "NRD_PACKAGE_CONTACT is '${NRD_PACKAGE_CONTACT}', must be 'name <address>'")
+endif()
 set(CPACK_PACKAGE_CONTACT "${NRD_PACKAGE_CONTACT}")
 set(CPACK_RESOURCE_FILE_LICENSE "${PROJECT_SOURCE_DIR}/LICENSE")
 set(CPACK_PACKAGING_INSTALL_PREFIX "/usr")

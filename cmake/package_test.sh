@@ -111,6 +111,9 @@ unpack_debs() {
     local deb
     for deb in "$work"/nrd_*.deb "$work"/nrd-dev_*.deb; do dpkg -x "$deb" "$work/root"; done
     dpkg --field "$work"/nrd-dev_*.deb Depends | grep -q "nrd (= $version)"
+    local contact
+    contact=$(sed -n 's/^NRD_PACKAGE_CONTACT:STRING=//p' "$build/CMakeCache.txt")
+    test "$(dpkg --field "$work"/nrd-dev_*.deb Maintainer)" = "$contact"
 }
 
 tar_up() {

@@ -22,11 +22,11 @@ target_link_libraries(nrd_measures PUBLIC nrd_capture PRIVATE Threads::Threads n
 # What programs share round their work.
 add_library(nrd_program STATIC program.cpp resolution.cpp)
 target_compile_definitions(nrd_program PRIVATE NRD_TEST_DATA="${NRD_TEST_DATA}")
-target_link_libraries(nrd_program PUBLIC nrd_capture nrd::nrd PRIVATE nrd_measures CLI11::CLI11 nrd_warnings)
+target_link_libraries(nrd_program PUBLIC nrd_capture nrd::nrd PRIVATE nrd_fields nrd_measures CLI11::CLI11 nrd_warnings)
 
 # The denoisers by name and --set, of all programs.
-add_library(nrd_settings STATIC name_choice.cpp replay_denoisers.cpp replay_settings.cpp setting_fields.cpp)
-target_link_libraries(nrd_settings PUBLIC nrd_measures nrd::nrd PRIVATE nrd_warnings)
+add_library(nrd_settings STATIC name_choice.cpp replay_denoisers.cpp replay_settings.cpp)
+target_link_libraries(nrd_settings PUBLIC nrd_measures nrd_fields nrd::nrd PRIVATE nrd_warnings)
 
 # What the replay tool is made of but for Vulkan, for its tests too.
 add_library(nrd_replay STATIC

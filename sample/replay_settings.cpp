@@ -167,6 +167,31 @@ std::string rangeText(const SettingRange& range)
     return text.str();
 }
 
+std::vector<SettingField> settingFields(ReplaySettings& settings, Family family)
+{
+    std::vector<SettingField> fields = nrd::settingFields(settings.common);
+    std::vector<SettingField> own;
+    switch (family)
+    {
+    case Family::Reblur:
+        own = nrd::settingFields(settings.reblur);
+        break;
+    case Family::Relax:
+        own = nrd::settingFields(settings.relax);
+        break;
+    case Family::Reference:
+        own = nrd::settingFields(settings.reference);
+        break;
+    case Family::Sigma:
+        own = nrd::settingFields(settings.sigma);
+        break;
+    case Family::None:
+        break;
+    }
+    fields.insert(fields.end(), std::make_move_iterator(own.begin()), std::make_move_iterator(own.end()));
+    return fields;
+}
+
 nrd::CheckerboardMode checkerboardModeOf(const ReplaySettings& settings, Family family)
 {
     if (family == Family::Reblur) return settings.reblur.checkerboardMode;

@@ -3,12 +3,12 @@
 #include "replay_denoisers.h"
 
 #include <nrd/presets.h>
+#include <setting_fields.h>
 
 #include <span>
 #include <stdexcept>
 #include <string>
 #include <utility>
-#include <variant>
 #include <vector>
 
 namespace sample
@@ -51,28 +51,9 @@ template <class Set> nrd::Result setDenoiserSettings(const ReplaySettings& setti
 // OFF for a family that knows no checkerboard.
 nrd::CheckerboardMode checkerboardModeOf(const ReplaySettings& settings, Family family);
 
-using SettingTarget = std::variant<float*, double*, uint32_t*, uint16_t*, bool*, nrd::AccumulationMode*,
-                                   nrd::PrePassMode*, nrd::CheckerboardMode*, nrd::HitDistanceReconstructionMode*>;
-
-// What a number may be; infinite: as large as its type has it. Of no use to flags and modes.
-struct SettingRange
-{
-    double low = 0.0;
-    double high = 0.0;
-    bool isLowExcluded = false; // (low; high], else [low; high]
-};
-
-// One field of a given settings object; an array has several values in a row.
-struct SettingField
-{
-    std::string name; // as in the struct, nested ones with a dot
-    SettingTarget target;
-    size_t count = 1;
-    const char* group = nullptr; // the heading a panel shows it under; null: the application's own, without a range
-    SettingRange range;
-
-    bool hasRange() const { return range.high > range.low; }
-};
+using nrd::SettingField;
+using nrd::SettingRange;
+using nrd::SettingTarget;
 
 // The fields --set reaches for a family: the common ones, then the family's own.
 std::vector<SettingField> settingFields(ReplaySettings& settings, Family family);

@@ -98,6 +98,17 @@ namespace Nrd
         public uint isHistoryReset;
     }
 
+    [StructLayout(LayoutKind.Sequential)]
+    public struct NrdPluginSettingInfo
+    {
+        public uint structSize;
+        public uint isLowExcluded;
+        public IntPtr name; // Marshal.PtrToStringAnsi()
+        public double value;
+        public double low;
+        public double high;
+    }
+
     public static class NrdPlugin
     {
         private const string Library = "nrd_plugin";
@@ -114,6 +125,18 @@ namespace Nrd
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern NrdPluginResult NrdPluginInitialize(uint denoiser, NrdPluginImage[] images, uint imageNum);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern NrdPluginResult NrdPluginGetSettingNum(uint denoiser, out uint settingNum);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern NrdPluginResult NrdPluginGetSettingInfo(uint denoiser, uint index,
+                                                                     ref NrdPluginSettingInfo info);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern NrdPluginResult NrdPluginSetSetting(uint denoiser,
+                                                                 [MarshalAs(UnmanagedType.LPStr)] string name,
+                                                                 double value);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern NrdPluginResult NrdPluginSetFrame(ref NrdPluginFrame frame);

@@ -131,6 +131,14 @@ rhi::BufferState toBufferState(ResourceState state)
     return {};
 }
 
+rhi::MemoryState toRhi(const NrdMemoryUse& use)
+{
+    rhi::MemoryState result;
+    result.isNative = true;
+    result.native = {use.stages, use.access, 0};
+    return result;
+}
+
 rhi::TextureState toRhi(const NrdImageState& state)
 {
     constexpr VkAccessFlags kKnown = VK_ACCESS_SHADER_READ_BIT | VK_ACCESS_SHADER_WRITE_BIT;

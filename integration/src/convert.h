@@ -17,6 +17,7 @@ rhi::TextureState toRhi(ResourceState state, LayoutPolicy policy);
 /// The state of a buffer while a dispatch uses it.
 rhi::BufferState toBufferState(ResourceState state);
 
+rhi::MemoryState toRhi(const NrdMemoryUse& use); // native
 /// Native unless it is one that compute passes leave images in: then equal states compare equal.
 rhi::TextureState toRhi(const NrdImageState& state);
 /// Only of states that compute passes leave images in, or of Native ones.

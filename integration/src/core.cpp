@@ -16,20 +16,9 @@ constexpr uint32_t kMaxDenoiseCalls = 1024;
 constexpr uint64_t kIdleFrames = 8;
 constexpr size_t kWrappedCommandBuffers = 16;
 
-struct RetiredInstance final : Retirable
-{
-    UniqueInstance instance;
-};
-
-void checkSize(uint32_t width, uint32_t height)
-{
-    if (width == 0) throw Refusal(Result::INVALID_ARGUMENT, "resourceWidth is 0, must be at least 1");
-    if (height == 0) throw Refusal(Result::INVALID_ARGUMENT, "resourceHeight is 0, must be at least 1");
-}
-
 const IntegrationCreationDesc& checked(const IntegrationCreationDesc& desc)
 {
-    checkSize(desc.resourceWidth, desc.resourceHeight);
+    checkResourceSize(desc.resourceWidth, desc.resourceHeight);
     if (desc.framesInFlight == 0 || desc.framesInFlight > kMaxFramesInFlight)
         throw Refusal(Result::INVALID_ARGUMENT,
                       sentence("framesInFlight is %u, must be in [1; %u]", desc.framesInFlight, kMaxFramesInFlight));
@@ -79,14 +68,26 @@ void Core::CreationMessage::report(void* userArg, Result, const char* text)
 
 Core::Core(rhi::Device& device, const IntegrationCreationDesc& desc, const InstanceCreationDesc& instanceDesc)
     : m_device(device), m_name(desc.name ? desc.name : "NRD"), m_desc(checked(desc)), m_instanceDesc(instanceDesc),
-      m_instance(createInstance()), m_pipelines(device, m_name.c_str(), description().pipelinesNum), m_views(device)
+      m_instance(createInstance()), m_memory(device, desc.deviceMemory),
+      m_pipelines(device, m_name.c_str(), description().pipelinesNum), m_views(device),
+      m_transferPipelines(device, m_name.c_str())
 {
     m_desc.name = m_name.c_str();
     m_desc.native = {};
     m_instanceDesc.denoisers = nullptr; // the caller's; m_denoisers has the copy
-    m_pools = createPools(*m_instance, desc.resourceWidth, desc.resourceHeight);
+    const PoolsDesc pools = {m_name.c_str(), desc.resourceWidth, desc.resourceHeight, desc.transientMemory, &m_memory};
+    m_pools = std::make_unique<Pools>(m_device, pools, description());
     createFrameResources();
     if (desc.createDefaultPipelines) createDefaultPipelines();
+}
+
+UniqueInstance Core::createInstance(InstanceCreationDesc desc, CreationMessage& message)
+{
+    desc.messageSink = {CreationMessage::report, &message};
+    Instance* instance = nullptr;
+    const Result result = CreateInstance(desc, instance);
+    if (result != Result::SUCCESS) throw Refusal(result, message.text);
+    return UniqueInstance(instance);
 }
 
 UniqueInstance Core::createInstance()
@@ -99,11 +100,7 @@ UniqueInstance Core::createInstance()
 
     InstanceCreationDesc desc = m_instanceDesc;
     if (desc.denoisers || !denoisers.empty()) desc.denoisers = denoisers.data();
-    desc.messageSink = {CreationMessage::report, &m_creationMessage};
-    Instance* instance = nullptr;
-    const Result result = CreateInstance(desc, instance);
-    if (result != Result::SUCCESS) throw Refusal(result, m_creationMessage.text);
-    return UniqueInstance(instance);
+    return createInstance(desc, m_creationMessage);
 }
 
 void Core::createFrameResources()
@@ -159,44 +156,13 @@ void Core::createDefaultPipelines()
     }
 }
 
-std::unique_ptr<Pools> Core::createPools(const Instance& instance, uint32_t width, uint32_t height)
+PoolMemoryRequirements Core::memoryRequirements(rhi::Device& device, const IntegrationCreationDesc& desc,
+                                                const InstanceCreationDesc& instanceDesc)
 {
-    return std::make_unique<Pools>(m_device, PoolsDesc{m_name.c_str(), width, height}, GetInstanceDesc(instance));
-}
-
-void Core::resize(uint32_t width, uint32_t height)
-{
-    checkSize(width, height);
-    if (width == m_desc.resourceWidth && height == m_desc.resourceHeight) return;
-    UniqueInstance instance = createInstance();
-    for (const DenoiserState& denoiser : m_denoisers)
-        std::visit(
-            [&](const auto& settings)
-            {
-                if constexpr (!std::is_same_v<std::decay_t<decltype(settings)>, std::monostate>)
-                    check(SetDenoiserSettings(*instance, denoiser.desc.identifier, settings));
-            },
-            denoiser.settings);
-    std::unique_ptr<Pools> pools = createPools(*instance, width, height);
-    auto retired = std::make_unique<RetiredInstance>();
-    m_retired.reserve(3);
-    // From here on nothing fails.
-    m_retired.retire(m_frame, std::exchange(m_pools, std::move(pools)));
-    m_views.outdate();
-    m_recordings.clear();
-    endDiagnosis();
-    if (m_dump) m_dump->stop("Resize() was called, but a capture has one size");
-    m_timer->drop();                                                    // its names belong to the instance that goes
-    retired->instance = std::exchange(m_instance, std::move(instance)); // the trace still names passes of its frames
-    m_retired.retire(m_frame, std::move(retired));
-    m_desc.resourceWidth = static_cast<uint16_t>(width);
-    m_desc.resourceHeight = static_cast<uint16_t>(height);
-    m_settingsFrame = 0;
-    for (DenoiserState& denoiser : m_denoisers)
-    {
-        denoiser.lastFrame = 0;
-        denoiser.isHistoryBroken = false;
-    }
+    CreationMessage message; // must outlive the instance
+    const UniqueInstance instance = createInstance(instanceDesc, message);
+    const PoolsDesc pools = {"NRD", checked(desc).resourceWidth, desc.resourceHeight, {}, nullptr};
+    return poolMemoryRequirements(device, pools, GetInstanceDesc(*instance));
 }
 
 void Core::newFrame()
@@ -209,6 +175,7 @@ void Core::newFrame()
         m_views.collect(frame - m_desc.framesInFlight - kIdleFrames, m_retired);
     m_frameSets[slot].beginFrame();
     m_frame = frame;
+    if (m_transfer && !m_transfer->isPending()) m_transfer.reset();
     m_requested.clear();
     m_constants->beginFrame(slot);
     m_timer->beginFrame(m_frame, slot);
@@ -229,9 +196,14 @@ void Core::setCommonSettings(const CommonSettings& settings)
         throw Refusal(Result::INVALID_ARGUMENT,
                       sentence("frameIndex is %u as in the previous frame, it must grow by 1 with each frame",
                                settings.frameIndex));
-    check(SetCommonSettings(*m_instance, settings));
+    const bool isContinued = m_transfer && m_transfer->isContinuedBy(settings);
+    const CommonSettings common = isContinued ? m_transfer->adapt(settings) : settings;
+    const bool isDropped = isTransferPending() && !isContinued;
+    if (isDropped) m_retired.reserve(2);
+    check(SetCommonSettings(*m_instance, common));
+    if (isDropped) dropHistory();
     m_requested.clear();
-    m_common = settings;
+    m_common = common;
     m_hasFrameIndex = true;
     m_frameIndexFrame = m_frame;
     m_settingsFrame = m_frame;
@@ -254,11 +226,14 @@ MemoryStatistics Core::memoryStatistics() const
     MemoryStatistics result;
     result.permanent = m_pools->permanent().byteSize();
     result.transient = m_pools->transient().byteSize();
+    result.total = m_memory.byteSize();
     for (const rhi::MemoryReportLine& line : m_device.memoryReport())
         for (const char* const part : {"permanent", "transient", "constants", "buffers"})
             if (line.tag == memoryTag(m_desc.name, part)) result.total += line.byteSize;
     return result;
 }
+
+NrdMemory Core::transientMemory() const { return isTransientShared() ? m_pools->transient().memory() : NrdMemory(); }
 
 IntegrationStatistics Core::statistics() const
 {

@@ -3,6 +3,7 @@
 #include "diagnosis.h"
 #include "dispatch.h"
 #include "dump/input_dump.h"
+#include "history_transfer.h"
 #include "recordings.h"
 #include "refusal.h"
 #include "unique_instance.h"
@@ -13,13 +14,19 @@
 
 namespace nrd
 {
+/// Throws a Refusal that names the field.
+void checkResourceSize(uint32_t width, uint32_t height);
+
 class Core
 {
 public:
     /// `device` must outlive it; `desc.native` is not read.
     Core(rhi::Device& device, const IntegrationCreationDesc& desc, const InstanceCreationDesc& instanceDesc);
 
-    void resize(uint32_t width, uint32_t height);
+    static PoolMemoryRequirements memoryRequirements(rhi::Device& device, const IntegrationCreationDesc& desc,
+                                                     const InstanceCreationDesc& instanceDesc);
+
+    void resize(uint32_t width, uint32_t height, const NrdMemory& transientMemory);
     void newFrame();
     void setCommonSettings(const CommonSettings& settings);
     template <class Settings> void setDenoiserSettings(Identifier identifier, const Settings& settings)
@@ -44,6 +51,7 @@ public:
     LastPass lastPass() const { return m_trace->last(); }
     bool isTraced() const { return m_desc.isPassTracingEnabled; }
     MemoryStatistics memoryStatistics() const;
+    NrdMemory transientMemory() const;
     IntegrationStatistics statistics() const;
     const Instance& instance() const { return *m_instance; }
     Pools& pools() { return *m_pools; }
@@ -52,7 +60,7 @@ private:
     struct DenoiserState
     {
         DenoiserDesc desc;
-        // As set last, for a new instance.
+        // As set last, for dumps and diagnoses.
         std::variant<std::monostate, ReblurSettings, RelaxSettings, SigmaSettings, ReferenceSettings> settings;
         uint64_t lastFrame = 0;       // that it was denoised in
         bool isHistoryBroken = false; // its last request was planned, but not recorded
@@ -70,10 +78,16 @@ private:
     };
 
     const InstanceDesc& description() const { return GetInstanceDesc(*m_instance); }
+    static UniqueInstance createInstance(InstanceCreationDesc desc, CreationMessage& message);
     UniqueInstance createInstance();
     void createFrameResources();
     void createDefaultPipelines();
-    std::unique_ptr<Pools> createPools(const Instance& instance, uint32_t width, uint32_t height);
+    bool isTransientShared() const { return m_desc.isTransientMemoryShared || m_desc.transientMemory.memory; }
+    /// Histories begin anew, each with the next request of its denoiser.
+    void dropHistory();
+    void planTransfer();
+    void recordTransfer(rhi::CommandBuffer& commands);
+    bool isTransferPending() const { return m_transfer && m_transfer->isPending(); }
     DenoiserState& find(Identifier identifier);
     void check(Result result) const; // of the descriptor library
     void checkRequest(rhi::Span<const Identifier> identifiers, const NrdUserPool& userPool);
@@ -105,10 +119,13 @@ private:
     CreationMessage m_creationMessage;
     UniqueInstance m_instance;
 
+    MemorySource m_memory; // before the pools, the retired ones too
     Pipelines m_pipelines;
     ViewCache m_views;
     RetireQueue m_retired;
     std::unique_ptr<Pools> m_pools;
+    TransferPipelines m_transferPipelines;
+    std::optional<HistoryTransfer> m_transfer; // since a Resize(), to the end of the frame that moves the history
     std::optional<ConstantRing> m_constants;
     std::optional<FrameTimer> m_timer;
     std::optional<PassTrace> m_trace;

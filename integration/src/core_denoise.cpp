@@ -16,23 +16,27 @@ void Core::denoise(VkCommandBuffer commandBuffer, rhi::Span<const Identifier> id
     rhi::CommandBuffer& commands = wrap(commandBuffer);
     rhi::Span<const DispatchDesc> dispatches;
     const bool hasDump = isDumped(identifiers);
+    const bool hasTransfer = isTransferPending();
     // Before a dump enters other states: what they are restored to, also if planning fails.
     std::optional<NrdUserPool> arrival;
     if (hasDump) arrival = userPool;
     try
     {
         if (hasDump) planDump(identifiers, userPool); // first, as its failure breaks no history
+        if (hasTransfer) planTransfer();
         dispatches = request(identifiers);
         m_planner->plan(planContext(userPool, arrival ? *arrival : userPool), dispatches, options);
     }
     catch (...)
     {
         if (arrival) userPool = *arrival;
+        if (hasTransfer) m_transfer->cancel(*m_pools);
         throw;
     }
+    if (hasTransfer) recordTransfer(commands);
     if (hasDump) m_dump->record(commands, copyContext());
     record(commands, m_planner->latest(), description(), {*m_timer, *m_trace}, m_desc.name);
-    const bool isRepeatable = options.recording != 0 && !hasDump && !isObserved();
+    const bool isRepeatable = options.recording != 0 && !hasDump && !hasTransfer && !isObserved();
     if (isRepeatable)
         m_recordings.keep(options.recording, m_planner->latest());
     else
@@ -47,7 +51,7 @@ bool Core::repeat(rhi::Span<const Identifier> identifiers, NrdUserPool& userPool
     checkRequest(identifiers, userPool);
     if (identifiers.empty()) return true;
     const Plan* const kept = m_recordings.find(options.recording);
-    if (!kept || isObserved() || isDumped(identifiers)) return false;
+    if (!kept || isObserved() || isDumped(identifiers) || isTransferPending()) return false;
     const rhi::Span<const DispatchDesc> dispatches = request(identifiers);
     m_requested.assign(identifiers.begin(), identifiers.end());
     m_requestedDispatches = dispatches;
@@ -143,8 +147,9 @@ bool Core::repairHistory(rhi::Span<const Identifier> identifiers)
 
 PlanContext Core::planContext(NrdUserPool& userPool, const NrdUserPool& arrival)
 {
-    return {m_device,    description(), m_pipelines, *m_constants,        *m_pools, m_views, m_retired,
-            frameSets(), userPool,      arrival,     m_desc.layoutPolicy, m_frame};
+    return {
+        m_device, description(), m_pipelines,         *m_constants,        *m_pools, m_views, m_retired, frameSets(),
+        userPool, arrival,       m_desc.layoutPolicy, isTransientShared(), m_frame};
 }
 
 rhi::CommandBuffer& Core::wrap(VkCommandBuffer commandBuffer)

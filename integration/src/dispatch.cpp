@@ -32,6 +32,11 @@ bool isSameTextureBarrier(const rhi::TextureBarrier& a, const rhi::TextureBarrie
     return a.texture == b.texture && a.before == b.before && a.after == b.after; // always of all mips
 }
 
+bool isSameMemoryBarrier(const std::optional<rhi::MemoryBarrier>& a, const std::optional<rhi::MemoryBarrier>& b)
+{
+    return a.has_value() == b.has_value() && (!a || (a->before == b->before && a->after == b->after));
+}
+
 bool isSameBufferBarrier(const rhi::BufferBarrier& a, const rhi::BufferBarrier& b)
 {
     return a.buffer == b.buffer && a.before.access == b.before.access && a.before.stages == b.before.stages &&
@@ -42,6 +47,8 @@ bool isSameBufferBarrier(const rhi::BufferBarrier& a, const rhi::BufferBarrier& 
 bool isSame(const Plan& a, const Plan& b)
 {
     return a.sets == b.sets && a.setsGeneration == b.setsGeneration &&
+           isSameMemoryBarrier(a.transientBefore, b.transientBefore) &&
+           isSameMemoryBarrier(a.transientAfter, b.transientAfter) &&
            std::equal(a.dispatches.begin(), a.dispatches.end(), b.dispatches.begin(), b.dispatches.end(),
                       isSameDispatch) &&
            std::equal(a.textureBarriers.begin(), a.textureBarriers.end(), b.textureBarriers.begin(),
@@ -52,6 +59,8 @@ bool isSame(const Plan& a, const Plan& b)
 
 void Plan::clear()
 {
+    transientBefore.reset();
+    transientAfter.reset();
     dispatches.clear();
     textureBarriers.clear();
     bufferBarriers.clear();
@@ -87,6 +96,7 @@ bool Planner::plan(const PlanContext& context, rhi::Span<const DispatchDesc> dis
     m_plan.setsGeneration = context.sets.generation();
     Rollback rollback{*this, context.pools, context.constants};
 
+    if (context.isTransientShared) takeTransientMemory(context, options);
     enterUserStates(context);
     for (const DispatchDesc& dispatch : dispatches) planDispatch(context, dispatch);
     if (options.restoreInitialStates) restoreUserStates(context);
@@ -95,6 +105,27 @@ bool Planner::plan(const PlanContext& context, rhi::Span<const DispatchDesc> dis
     rollback.isArmed = false;
     context.sets.endCall();
     return true;
+}
+
+// Barriers of images see what went through them, so memory that others used is ordered by barriers of all memory. Its
+// images are then undefined, and their own barriers go on from that one.
+void Planner::takeTransientMemory(const PlanContext& context, const DenoiseOptions& options)
+{
+    constexpr rhi::MemoryState kOurs = {rhi::Access::SampledRead | rhi::Access::StorageWrite, rhi::Stage::Compute};
+    constexpr rhi::TextureState kTaken = {rhi::Access::StorageWrite, rhi::Layout::Undefined, rhi::Stage::Compute};
+    NrdMemoryUse before = options.transientBefore;
+    const uint32_t first = context.pools.permanent().size(), end = poolTextureCount(context.pools);
+    bool isUntouched = true; // by these textures: those of before a Resize() may have been in the same memory
+    for (uint32_t i = first; i < end; i++) isUntouched &= context.pools.states.state(i) == rhi::states::kUndefined;
+    if (before.stages != 0 || isUntouched)
+    {
+        if (before.stages == 0) before.access = 0;
+        before.access |= VK_ACCESS_SHADER_WRITE_BIT; // our own use before that
+        before.stages |= VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT;
+        m_plan.transientBefore = {toRhi(before), kOurs};
+        for (uint32_t i = first; i < end; i++) context.pools.states.setState(i, kTaken);
+    }
+    if (options.transientAfter.stages != 0) m_plan.transientAfter = {kOurs, toRhi(options.transientAfter)};
 }
 
 void Planner::enterUserStates(const PlanContext& context)
@@ -276,6 +307,7 @@ void record(rhi::CommandBuffer& commands, const Plan& plan, const InstanceDesc& 
 
     commands.beginLabel(label);
     observers.timer.beginCall(commands, static_cast<uint32_t>(plan.dispatches.size()));
+    if (plan.transientBefore) commands.barrier(*plan.transientBefore);
     for (const PlannedDispatch& dispatch : plan.dispatches)
     {
         commands.beginLabel(dispatch.name);
@@ -302,6 +334,7 @@ void record(rhi::CommandBuffer& commands, const Plan& plan, const InstanceDesc& 
     observers.trace.endCall(commands);
     if (plan.textureBarriers.size() != textureBegin)
         commands.barriers({textures + textureBegin, plan.textureBarriers.size() - textureBegin}, {});
+    if (plan.transientAfter) commands.barrier(*plan.transientAfter);
     commands.endLabel();
 }
 } // namespace nrd

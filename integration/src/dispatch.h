@@ -9,6 +9,7 @@
 #include "timing.h"
 #include "view_cache.h"
 #include <nrd/integration.h>
+#include <optional>
 
 namespace nrd
 {
@@ -29,6 +30,8 @@ struct PlannedDispatch
 /// Barriers of all dispatches in order, then those that restore the application's states.
 struct Plan
 {
+    std::optional<rhi::MemoryBarrier> transientBefore; // of shared transient memory
+    std::optional<rhi::MemoryBarrier> transientAfter;
     std::vector<PlannedDispatch> dispatches;
     std::vector<rhi::TextureBarrier> textureBarriers;
     std::vector<rhi::BufferBarrier> bufferBarriers;
@@ -54,6 +57,7 @@ struct PlanContext
     NrdUserPool& userPool;
     const NrdUserPool& arrival; // states to restore
     LayoutPolicy layoutPolicy;
+    bool isTransientShared;
     uint64_t frame;
 };
 
@@ -76,6 +80,7 @@ private:
         rhi::TextureState initial = {};
     };
 
+    void takeTransientMemory(const PlanContext& context, const DenoiseOptions& options);
     void enterUserStates(const PlanContext& context);
     void restoreUserStates(const PlanContext& context);
     void leaveUserStates(const PlanContext& context) const;

@@ -106,6 +106,21 @@ struct NrdIntegration::Impl
     }
 
     static std::unique_ptr<rhi::Device> wrapDevice(const NativeDevice& native);
+
+    static Result memoryRequirements(rhi::Device* device, const IntegrationCreationDesc& desc,
+                                     const InstanceCreationDesc& instanceDesc, PoolMemoryRequirements& requirements)
+    {
+        requirements = {};
+        Impl impl; // for its way with errors only
+        impl.sink = instanceDesc.messageSink;
+        return impl.guarded("GetMemoryRequirements",
+                            [&]
+                            {
+                                if (!device) impl.ownedDevice = wrapDevice(desc.native);
+                                requirements =
+                                    Core::memoryRequirements(device ? *device : *impl.ownedDevice, desc, instanceDesc);
+                            });
+    }
 };
 
 std::unique_ptr<rhi::Device> NrdIntegration::Impl::wrapDevice(const NativeDevice& native)
@@ -159,14 +174,29 @@ Result IntegrationAccess::Create(NrdIntegration& integration, rhi::Device& devic
     return impl ? impl->create(&device, desc, instanceDesc) : failWithoutMemory(instanceDesc.messageSink);
 }
 
+Result NrdIntegration::GetMemoryRequirements(const IntegrationCreationDesc& desc,
+                                             const InstanceCreationDesc& instanceDesc,
+                                             PoolMemoryRequirements& requirements)
+{
+    return Impl::memoryRequirements(nullptr, desc, instanceDesc, requirements);
+}
+
+Result IntegrationAccess::GetMemoryRequirements(rhi::Device& device, const IntegrationCreationDesc& desc,
+                                                const InstanceCreationDesc& instanceDesc,
+                                                PoolMemoryRequirements& requirements)
+{
+    return NrdIntegration::Impl::memoryRequirements(&device, desc, instanceDesc, requirements);
+}
+
 Pools& IntegrationAccess::GetPools(NrdIntegration& integration) { return integration.m_impl->core->pools(); }
 
 void NrdIntegration::Destroy() { m_impl.reset(); }
 bool NrdIntegration::IsCreated() const { return m_impl && m_impl->core; }
 
-Result NrdIntegration::Resize(uint16_t resourceWidth, uint16_t resourceHeight)
+Result NrdIntegration::Resize(uint16_t resourceWidth, uint16_t resourceHeight, const NrdMemory& transientMemory)
 {
-    return Impl::withCore(m_impl.get(), "Resize", [&](Core& core) { core.resize(resourceWidth, resourceHeight); });
+    return Impl::withCore(m_impl.get(), "Resize",
+                          [&](Core& core) { core.resize(resourceWidth, resourceHeight, transientMemory); });
 }
 
 Result NrdIntegration::NewFrame()
@@ -268,6 +298,11 @@ MemoryStatistics NrdIntegration::GetMemoryStatistics() const
     MemoryStatistics result;
     if (IsCreated()) (void)m_impl->guarded("GetMemoryStatistics", [&] { result = m_impl->core->memoryStatistics(); });
     return result;
+}
+
+NrdMemory NrdIntegration::GetTransientMemory() const
+{
+    return IsCreated() ? m_impl->core->transientMemory() : NrdMemory{};
 }
 
 IntegrationStatistics NrdIntegration::GetStatistics() const

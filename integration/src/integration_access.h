@@ -14,6 +14,10 @@ struct IntegrationAccess
     static Result Create(NrdIntegration& integration, rhi::Device& device, const IntegrationCreationDesc& desc,
                          const InstanceCreationDesc& instanceDesc);
 
+    /// As NrdIntegration::GetMemoryRequirements(), of `device`.
+    static Result GetMemoryRequirements(rhi::Device& device, const IntegrationCreationDesc& desc,
+                                        const InstanceCreationDesc& instanceDesc, PoolMemoryRequirements& requirements);
+
     /// Of a created integration; they live until the next Resize().
     static Pools& GetPools(NrdIntegration& integration);
 };

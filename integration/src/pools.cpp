@@ -28,8 +28,7 @@ rhi::TextureDesc textureDesc(const PoolsDesc& desc, const TextureDesc& texture, 
 struct Placement
 {
     std::vector<uint64_t> offsets;
-    uint64_t size = 0;
-    uint32_t memoryTypeBits = ~0u; // 0: the textures cannot share a block
+    VkMemoryRequirements needs = {0, 1, ~0u}; // no type: the textures cannot share a block
 };
 
 Placement place(rhi::Device& device, const std::vector<rhi::TextureDesc>& textures)
@@ -38,47 +37,97 @@ Placement place(rhi::Device& device, const std::vector<rhi::TextureDesc>& textur
     for (const rhi::TextureDesc& texture : textures)
     {
         const rhi::MemoryRequirements needs = device.textureMemoryRequirements(texture);
-        result.offsets.push_back(alignUp(result.size, needs.alignment));
-        result.size = result.offsets.back() + needs.size;
-        result.memoryTypeBits &= needs.memoryTypeBits;
+        result.offsets.push_back(alignUp(result.needs.size, needs.alignment));
+        result.needs.size = result.offsets.back() + needs.size;
+        result.needs.alignment = std::max<VkDeviceSize>(result.needs.alignment, needs.alignment);
+        result.needs.memoryTypeBits &= needs.memoryTypeBits;
     }
     return result;
+}
+
+// Names point into `names`, which must live as long.
+std::vector<rhi::TextureDesc> textureDescs(const PoolsDesc& desc, rhi::Span<const TextureDesc> textures,
+                                           const std::vector<std::string>& names, const char* tag)
+{
+    std::vector<rhi::TextureDesc> result;
+    for (size_t i = 0; i < textures.size(); i++)
+        result.push_back(textureDesc(desc, textures[i], names[i].c_str(), tag));
+    return result;
+}
+
+std::vector<std::string> textureNames(const PoolsDesc& desc, size_t count, char letter)
+{
+    std::vector<std::string> result;
+    for (size_t i = 0; i < count; i++) result.push_back(sentence("%s %c(%u)", desc.name, letter, uint32_t(i)));
+    return result;
+}
+
+VkMemoryRequirements requirementsOf(rhi::Device& device, const PoolsDesc& desc, rhi::Span<const TextureDesc> textures,
+                                    char letter)
+{
+    if (textures.empty()) return {};
+    const std::vector<std::string> names = textureNames(desc, textures.size(), letter);
+    return place(device, textureDescs(desc, textures, names, "")).needs;
 }
 } // namespace
 
 std::string memoryTag(const char* name, const char* part) { return sentence("%s %s", name, part); }
 
-TexturePool::TexturePool(rhi::Device& device, const PoolsDesc& desc, const TextureDesc* textures, uint32_t textureCount,
-                         char letter)
+PoolMemoryRequirements poolMemoryRequirements(rhi::Device& device, const PoolsDesc& desc, const InstanceDesc& instance)
 {
-    if (textureCount == 0) return;
-    const std::string tag = memoryTag(desc.name, letter == 'P' ? "permanent" : "transient");
-    std::vector<std::string> names;
-    for (uint32_t i = 0; i < textureCount; i++) names.push_back(sentence("%s %c(%u)", desc.name, letter, i));
-    std::vector<rhi::TextureDesc> descs;
-    for (uint32_t i = 0; i < textureCount; i++)
-        descs.push_back(textureDesc(desc, textures[i], names[i].c_str(), tag.c_str()));
+    return {requirementsOf(device, desc, {instance.permanentPool, instance.permanentPoolSize}, 'P'),
+            requirementsOf(device, desc, {instance.transientPool, instance.transientPoolSize}, 'T')};
+}
 
+TexturePool::TexturePool(rhi::Device& device, const PoolsDesc& desc, rhi::Span<const TextureDesc> textures, char letter,
+                         const NrdMemory& lent)
+{
+    if (textures.empty()) return;
+    const std::string tag = memoryTag(desc.name, letter == 'P' ? "permanent" : "transient");
+    const std::vector<std::string> names = textureNames(desc, textures.size(), letter);
+    const std::vector<rhi::TextureDesc> descs = textureDescs(desc, textures, names, tag.c_str());
     const Placement placement = place(device, descs);
-    m_byteSize = placement.size;
-    if (placement.memoryTypeBits != 0)
-        m_memory = device.createMemory({placement.size, placement.memoryTypeBits, tag.c_str(), tag.c_str()});
-    for (uint32_t i = 0; i < textureCount; i++)
+    if (lent.memory != VK_NULL_HANDLE)
+        m_blocks.push_back(
+            lentBlock(device, lent, placement.needs, tag, sentence(" at %u x %u", desc.width, desc.height)));
+    else
+        allocate(device, descs, placement.needs, *desc.source, tag);
+    for (size_t i = 0; i < descs.size(); i++)
     {
+        const bool isShared = m_blocks.size() == 1; // also that of a pool of one texture
+        const MemoryBlock& block = m_blocks[isShared ? 0 : i];
+        const uint64_t offset = block.place().offset + (isShared ? placement.offsets[i] : 0);
         Slot slot;
-        slot.texture = m_memory ? device.createPlacedTexture(descs[i], *m_memory, placement.offsets[i])
-                                : device.createTexture(descs[i]);
+        slot.texture = device.createPlacedTexture(descs[i], block.memory(), offset);
         slot.sampled = device.createView(*slot.texture, {rhi::ViewType::Sampled, {0, 1}});
         slot.storage = device.createView(*slot.texture, {rhi::ViewType::Storage, {0, 1}});
         m_slots.push_back(std::move(slot));
     }
 }
 
+void TexturePool::allocate(rhi::Device& device, const std::vector<rhi::TextureDesc>& descs,
+                           const VkMemoryRequirements& needs, MemorySource& source, const std::string& tag)
+{
+    m_byteSize = needs.size;
+    if (needs.memoryTypeBits != 0)
+    {
+        m_blocks.push_back(source.allocate(needs, tag));
+        return;
+    }
+    for (const rhi::TextureDesc& texture : descs)
+    {
+        const rhi::MemoryRequirements own = device.textureMemoryRequirements(texture);
+        m_blocks.push_back(source.allocate({own.size, own.alignment, own.memoryTypeBits}, tag));
+    }
+}
+
 Pools::Pools(rhi::Device& device, const PoolsDesc& desc, const InstanceDesc& instance)
     : states(instance.permanentPoolSize + instance.transientPoolSize + static_cast<uint32_t>(ResourceType::MAX_NUM)),
-      bufferStates(instance.buffersNum),
-      m_permanent(device, desc, instance.permanentPool, instance.permanentPoolSize, 'P'),
-      m_transient(device, desc, instance.transientPool, instance.transientPoolSize, 'T')
+      bufferStates(instance.buffersNum), m_width(desc.width), m_height(desc.height),
+      m_permanent(device, desc, {instance.permanentPool, instance.permanentPoolSize}, 'P'),
+      m_transient(std::make_unique<TexturePool>(
+          device, desc, rhi::Span<const TextureDesc>(instance.transientPool, instance.transientPoolSize), 'T',
+          desc.transientMemory))
 {
     const uint64_t tileCount =
         uint64_t(divideRoundingUp(desc.width, kTileSize)) * divideRoundingUp(desc.height, kTileSize);

@@ -61,14 +61,6 @@ void FrameTimer::endPass(rhi::CommandBuffer& commands, const char* name)
     m_current->marks.push_back({name});
 }
 
-void FrameTimer::drop()
-{
-    for (Slot& slot : m_slots) slot.marks.clear();
-    m_passes.clear();
-    m_frame = 0;
-    m_total = 0.0f;
-}
-
 Timings FrameTimer::timings() const
 {
     return {m_frame, m_passes.data(), static_cast<uint32_t>(m_passes.size()), m_total};

@@ -19,10 +19,8 @@ public:
     void beginFrame(uint64_t frame, uint32_t slot);
     /// Before the passes of one call, outside of them: resets `passCount` + 1 queries and writes the first.
     void beginCall(rhi::CommandBuffer& commands, uint32_t passCount);
-    /// After a pass. `name` must live until the results are read or dropped.
+    /// After a pass. `name` must live until the results are read.
     void endPass(rhi::CommandBuffer& commands, const char* name);
-    /// Forgets names that are about to die, with the results that belong to them.
-    void drop();
 
     Timings timings() const;
 

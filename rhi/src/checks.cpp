@@ -100,6 +100,15 @@ void checkMemory(const MemoryDesc& desc)
                               safeName(desc.name)));
 }
 
+void checkWrappedMemory(uint64_t handle, const MemoryDesc& desc)
+{
+    if (handle == 0) throwInvalid(sentence("memory '%s': the memory to wrap is null", safeName(desc.name)));
+    checkMemory(desc);
+    if ((desc.memoryTypeBits & (desc.memoryTypeBits - 1)) != 0)
+        throwInvalid(sentence("memory '%s': memoryTypeBits is 0x%x, must be the one bit of its type",
+                              safeName(desc.name), desc.memoryTypeBits));
+}
+
 void checkPlacement(const TextureDesc& desc, const MemoryRequirements& needs, const Memory& memory, uint64_t offset)
 {
     const char* name = safeName(desc.name);

@@ -10,6 +10,7 @@ void checkTexture(const TextureDesc& desc, const DeviceLimits& limits, FormatSup
 TextureViewDesc checkView(const TextureDesc& texture, const TextureViewDesc& view);
 void checkBuffer(const BufferDesc& desc);
 void checkMemory(const MemoryDesc& desc);
+void checkWrappedMemory(uint64_t handle, const MemoryDesc& desc);
 void checkPlacement(const TextureDesc& desc, const MemoryRequirements& needs, const Memory& memory, uint64_t offset);
 void checkPipeline(const PipelineDesc& desc, const DeviceLimits& limits);
 void checkDescriptorPool(const DescriptorPoolDesc& desc);

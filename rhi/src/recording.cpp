@@ -63,7 +63,8 @@ public:
     {
         checkMemory(desc);
         m_journal.create(CallType::CreateMemory, desc.name).size = desc.size;
-        return std::make_unique<Memory>(m_journal, desc);
+        MemoryLedger::Entry entry(m_journal.ledger, desc.memoryTag, desc.size);
+        return std::make_unique<Memory>(m_journal, desc, std::move(entry), 0);
     }
     std::unique_ptr<rhi::Texture> createPlacedTexture(const TextureDesc& desc, rhi::Memory& memory,
                                                       uint64_t offset) override
@@ -131,6 +132,12 @@ public:
         checkBuffer(desc);
         m_journal.create(CallType::WrapBuffer, desc.name).handle = handle;
         return std::make_unique<Buffer>(m_journal, desc, handle);
+    }
+    std::unique_ptr<rhi::Memory> wrapMemory(uint64_t handle, const MemoryDesc& desc) override
+    {
+        checkWrappedMemory(handle, desc);
+        m_journal.create(CallType::WrapMemory, desc.name).handle = handle;
+        return std::make_unique<Memory>(m_journal, desc, MemoryLedger::Entry(), handle);
     }
     std::unique_ptr<rhi::CommandBuffer> wrapCommandBuffer(uint64_t handle, const char* name) override
     {

@@ -70,15 +70,17 @@ private:
 class Memory final : public rhi::Memory
 {
 public:
-    Memory(Journal& journal, const MemoryDesc& desc)
-        : rhi::Memory(desc), m_alive(journal, name()), m_entry(journal.ledger, desc.memoryTag, desc.size)
+    Memory(Journal& journal, const MemoryDesc& desc, MemoryLedger::Entry entry, uint64_t wrapped)
+        : rhi::Memory(desc), m_alive(journal, name()), m_entry(std::move(entry)), m_wrapped(wrapped)
     {
     }
-    uint64_t nativeHandle() const override { return m_alive.handle(); }
+    uint64_t nativeHandle() const override { return m_wrapped ? m_wrapped : m_alive.handle(); }
+    uint32_t memoryTypeBits() const override { return 1; } // there is but one type
 
 private:
     Alive m_alive;
     MemoryLedger::Entry m_entry;
+    uint64_t m_wrapped; // the engine's handle, 0 if the memory is ours
 };
 
 class Buffer final : public rhi::Buffer
@@ -188,6 +190,7 @@ public:
     void dispatch(uint32_t x, uint32_t y, uint32_t z) override;
     void dispatchIndirect(const rhi::Buffer& arguments, uint64_t offset) override;
     void barriers(Span<const TextureBarrier> textures, Span<const BufferBarrier> buffers) override;
+    void barrier(const MemoryBarrier& memory) override;
     void copyBufferToTexture(const TextureCopy& copy, Layout layout) override;
     void copyTextureToBuffer(const TextureCopy& copy, Layout layout) override;
     void copyTexture(const rhi::Texture& src, const rhi::Texture& dst) override;

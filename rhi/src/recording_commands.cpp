@@ -56,6 +56,11 @@ void CommandBuffer::barriers(Span<const TextureBarrier> textures, Span<const Buf
                                  {}});
 }
 
+void CommandBuffer::barrier(const MemoryBarrier& memory)
+{
+    m_journal.add(CallType::MemoryBarrier, name()).memory = memory;
+}
+
 void CommandBuffer::copyBufferToTexture(const TextureCopy& copy, Layout)
 {
     RecordedCall& call = m_journal.add(CallType::CopyBufferToTexture, copy.buffer->name());

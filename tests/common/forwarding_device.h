@@ -63,6 +63,10 @@ public:
     {
         return m_device.wrapBuffer(handle, desc);
     }
+    std::unique_ptr<rhi::Memory> wrapMemory(uint64_t handle, const rhi::MemoryDesc& desc) override
+    {
+        return m_device.wrapMemory(handle, desc);
+    }
     std::unique_ptr<rhi::CommandBuffer> wrapCommandBuffer(uint64_t handle, const char* name) override
     {
         return m_device.wrapCommandBuffer(handle, name);

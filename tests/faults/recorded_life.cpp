@@ -1,5 +1,6 @@
 #include "recorded_life.h"
 #include "common.h"
+#include <algorithm>
 #include <options.h>
 
 namespace faults
@@ -38,6 +39,7 @@ RecordedLife::Choice RecordedLife::anyChoice()
     choice.desc.isGpuTimingEnabled = m_dice.once(2);
     choice.desc.isPassTracingEnabled = m_dice.once(2);
     choice.desc.createDefaultPipelines = m_dice.once(2);
+    choice.desc.isTransientMemoryShared = m_dice.once(3);
     return choice;
 }
 
@@ -71,7 +73,12 @@ void RecordedLife::resize(uint16_t width, uint16_t height)
 
 nrd::CommonSettings RecordedLife::common()
 {
-    return test::stillCamera(m_choice.desc.resourceWidth, m_choice.desc.resourceHeight, m_frameIndex++);
+    nrd::CommonSettings result =
+        test::stillCamera(m_choice.desc.resourceWidth, m_choice.desc.resourceHeight, m_frameIndex++);
+    for (uint16_t* size : {result.resourceSizePrev, result.rectSizePrev})
+        if (m_lastSize[0] != 0) std::copy_n(m_lastSize, 2, size);
+    std::copy_n(result.resourceSize, 2, m_lastSize);
+    return result;
 }
 
 // Images for what all denoisers need under the settings of this frame.
@@ -137,6 +144,7 @@ void RecordedLife::frame()
     }
     nrd::DenoiseOptions options;
     options.restoreInitialStates = m_dice.once(3);
+    if (m_dice.once(2)) options.transientBefore.stages = options.transientAfter.stages = 0;
     plainFrame(settings, identifiers, options);
 }
 

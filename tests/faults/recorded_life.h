@@ -50,6 +50,7 @@ private:
     nrd::NrdUserPool m_pool;
     uint64_t m_generation = 0;
     uint32_t m_frameIndex = 0;
+    uint16_t m_lastSize[2] = {};       // of the last frame, 0: there was none
     nrd::NrdIntegration m_integration; // goes first
 };
 } // namespace faults

@@ -144,9 +144,14 @@ void Session::frame(int index, bool restarts)
     m_next = (m_next + 1) % m_slots.size();
     collect(slot);
     make("NewFrame", [&] { return integration.NewFrame(); });
-    nrd::CommonSettings common = options::makeCommon(m_setups[0], index, m_lastIndex + 1 != index);
-    if (restarts) common.accumulationMode = nrd::AccumulationMode::CLEAR_AND_RESTART;
+    const bool isCut = m_lastIndex + 1 != index;
+    nrd::CommonSettings common = options::makeCommon(m_setups[0], index, isCut);
+    if (restarts || isCut) common.accumulationMode = nrd::AccumulationMode::CLEAR_AND_RESTART;
+    if (!isCut && index > 0)
+        for (uint16_t* size : {common.resourceSizePrev, common.rectSizePrev})
+            for (int axis = 0; axis < 2; axis++) size[axis] = static_cast<uint16_t>(m_lastSize[axis]);
     m_lastIndex = index;
+    m_lastSize = m_setups[0].size;
     make("SetCommonSettings", [&] { return integration.SetCommonSettings(common); });
     if (changeSettings) changeSettings();
     slot.commands->begin();

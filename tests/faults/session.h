@@ -65,7 +65,8 @@ private:
     std::vector<options::Setup> m_setups;
     std::vector<std::unique_ptr<Slot>> m_slots; // one per frame in flight
     size_t m_next = 0;
-    int m_lastIndex = -1;
+    int m_lastIndex = -1;     // of the last frame
+    glm::ivec2 m_lastSize{0}; // of its images
     std::vector<Outputs> m_done;
     char m_message[512] = ""; // no string: it comes while the heap is watched
 };

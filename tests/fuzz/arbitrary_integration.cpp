@@ -18,7 +18,19 @@ IntegrationCreationDesc arbitraryDesc(ByteReader& reader, uint32_t smallSize)
     desc.layoutPolicy = isWild ? reader.value<LayoutPolicy>() : static_cast<LayoutPolicy>(reader.below(2));
     desc.isGpuTimingEnabled = reader.flag();
     desc.createDefaultPipelines = reader.below(16) == 0;
+    desc.isTransientMemoryShared = reader.below(4) == 0;
+    desc.transientMemory = arbitraryMemory(reader);
     return desc;
+}
+
+NrdMemory arbitraryMemory(ByteReader& reader)
+{
+    if (reader.below(4) != 0) return {};
+    NrdMemory memory = {reinterpret_cast<VkDeviceMemory>(uintptr_t{1 + reader.below(4)}), 0, 1u << 30, 0};
+    if (reader.below(4) == 0) memory.offset = reader.flag() ? reader.below(4096) : reader.value<uint64_t>();
+    if (reader.below(4) == 0) memory.size = reader.value<uint64_t>();
+    if (reader.below(4) == 0) memory.memoryTypeIndex = reader.value<uint32_t>();
+    return memory;
 }
 
 void changeImage(ByteReader& reader, NrdUserImage& image)

@@ -7,6 +7,7 @@
 namespace fuzz
 {
 // Without native handles. Most sides are at most `smallSize` pixels.
+nrd::NrdMemory arbitraryMemory(ByteReader& reader); // mostly none
 nrd::IntegrationCreationDesc arbitraryDesc(ByteReader& reader, uint32_t smallSize);
 
 // One thing of it.

@@ -55,7 +55,8 @@ private:
     DenoiserDesc m_denoisers[kMaxDenoiserNum];
     uint32_t m_denoiserNum = 0;
     uint32_t m_width = 0, m_height = 0;
-    uint32_t m_frameIndex = 0; // of the last frame
+    uint32_t m_lastWidth = 0, m_lastHeight = 0; // of the last frame, 0: there was none
+    uint32_t m_frameIndex = 0;                  // of the last frame
     sample::ReplaySettings m_settings = {test::makeCommon(), {}, {}, {}, {}};
     uint32_t m_reportNum = 0;
 };
@@ -159,7 +160,7 @@ void Calls::resize()
     const auto width = static_cast<uint16_t>(isSmall ? m_reader.below(kMaxDiagnosedSize) : m_reader.value<uint16_t>());
     const auto height = static_cast<uint16_t>(isSmall ? m_reader.below(kMaxDiagnosedSize) : m_reader.value<uint16_t>());
     if (m_reader.below(4) == 0) m_device->failCreation(1 + m_reader.below(8));
-    const Result result = m_integration.Resize(width, height);
+    const Result result = m_integration.Resize(width, height, fuzz::arbitraryMemory(m_reader));
     if (result == Result::SUCCESS)
     {
         m_width = width;
@@ -177,6 +178,12 @@ CommonSettings Calls::nextFrame()
         size[0] = static_cast<uint16_t>(m_width);
         size[1] = static_cast<uint16_t>(m_height);
     }
+    const uint32_t last[] = {m_lastWidth, m_lastHeight}; // mostly as it was: a history then survives another size
+    for (uint16_t* size : {common.resourceSizePrev, common.rectSizePrev})
+        for (size_t axis = 0; axis < 2; axis++)
+            if (m_lastWidth != 0 && m_reader.below(8) != 0) size[axis] = static_cast<uint16_t>(last[axis]);
+    m_lastWidth = m_width;
+    m_lastHeight = m_height;
     common.frameIndex = ++m_frameIndex;
     return common;
 }
@@ -225,6 +232,8 @@ void Calls::denoise()
     DenoiseOptions options;
     options.restoreInitialStates = m_reader.flag();
     options.recording = m_reader.below(4);
+    if (m_reader.below(4) == 0) options.transientBefore.stages = m_reader.value<VkPipelineStageFlags>();
+    if (m_reader.below(4) == 0) options.transientAfter.stages = m_reader.below(2);
     m_device->clearCalls();
     bool isRepeated = false, isRecordingNeeded = false;
     Result result = Result::SUCCESS;
@@ -238,7 +247,8 @@ void Calls::denoise()
                                        m_reader.below(16) == 0 ? nullptr : identifiers, identifierNum, pool, options);
     if (result != Result::SUCCESS || isRepeated)
         for (const rhi::RecordedCall& call : m_device->calls())
-            require(call.type != rhi::CallType::Dispatch && call.type != rhi::CallType::Barriers,
+            require(call.type != rhi::CallType::Dispatch && call.type != rhi::CallType::Barriers &&
+                        call.type != rhi::CallType::MemoryBarrier,
                     "a refused call records nothing, nor does one that repeats");
     if (result != Result::SUCCESS)
     {

@@ -1,4 +1,5 @@
 #include "recording_fixture.h"
+#include <algorithm>
 
 namespace test
 {
@@ -21,7 +22,12 @@ void RecordingFixture::beginFrame()
 {
     require(integration.NewFrame(), integration);
     settings = stillCamera(width, height, frameIndex++);
+    const uint16_t last[] = {lastWidth ? lastWidth : width, lastHeight ? lastHeight : height};
+    std::copy_n(last, 2, settings.resourceSizePrev);
+    std::copy_n(last, 2, settings.rectSizePrev);
     require(integration.SetCommonSettings(settings), integration);
+    lastWidth = width;
+    lastHeight = height;
 }
 
 nrd::Result RecordingFixture::denoise(std::vector<nrd::Identifier> identifiers, const nrd::DenoiseOptions& options)

@@ -39,6 +39,8 @@ public:
     uint32_t frameIndex = 0;      // of the next one
     uint16_t width = kWidth;      // of the resource and of image()
     uint16_t height = kHeight;
+    uint16_t lastWidth = 0; // of the last beginFrame(), 0: as now
+    uint16_t lastHeight = 0;
     nrd::NrdIntegration integration; // goes before the device
 };
 

@@ -60,13 +60,14 @@ TEST_CASE("the C header and the C# file have the same structs and functions", "[
 {
     const std::string c = textOf(NRD_PLUGIN_HEADER);
     const std::string cs = textOf(NRD_PLUGIN_CSHARP);
-    for (const char* name : {"NrdPluginDevice", "NrdPluginImageInfo", "NrdPluginImage", "NrdPluginFrame"})
+    for (const char* name :
+         {"NrdPluginDevice", "NrdPluginImageInfo", "NrdPluginImage", "NrdPluginFrame", "NrdPluginSettingInfo"})
     {
         INFO(name);
         CHECK(fields(c, name).size() > 4);
         CHECK(fields(c, name) == fields(cs, name));
     }
     const std::vector<std::string> functions = matches(c, "\n *NRD_PLUGIN_API [^(]*?(\\w+)\\(");
-    CHECK(functions.size() == 12);
+    CHECK(functions.size() == 15);
     CHECK(functions == matches(cs, "extern \\w+ (\\w+)\\("));
 }

@@ -80,6 +80,68 @@ TEST_CASE("textures placed in the same bytes take turns", "[gpu]")
         });
 }
 
+TEST_CASE("a texture placed in wrapped memory takes turns with what its owner has placed there", "[gpu]")
+{
+    forEachDevice(
+        [](TestDevice& device)
+        {
+            const MemoryRequirements needs = device->textureMemoryRequirements(placedDesc("A"));
+            MemoryDesc desc;
+            desc.size = needs.size + needs.alignment;
+            desc.memoryTypeBits = needs.memoryTypeBits;
+            desc.memoryTag = "engine's";
+            const auto owned = device->createMemory(desc);
+            REQUIRE((owned->memoryTypeBits() & needs.memoryTypeBits) != 0);
+            desc.memoryTypeBits = owned->memoryTypeBits();
+            desc.memoryTag = "lent";
+            const auto lent = device->wrapMemory(owned->nativeHandle(), desc);
+            CHECK(lent->nativeHandle() == owned->nativeHandle());
+            CHECK(lent->memoryTypeBits() == owned->memoryTypeBits());
+            CHECK(bytesOf(*device, "lent") == 0);
+
+            const auto mine = device->createPlacedTexture(placedDesc("owner's"), *owned, needs.alignment);
+            const auto lenders = device->createPlacedTexture(placedDesc("borrower's"), *lent, needs.alignment);
+            const auto mineView = device->createView(*mine, {ViewType::Storage, {}});
+            const auto lendersView = device->createView(*lenders, {ViewType::Storage, {}});
+            Pass writeMine(*device, Shader::Write, kOneTexture, {{0, 1000}});
+            Pass writeLenders(*device, Shader::Write, kOneTexture, {{0, 77}});
+            writeMine.write(0, {viewAt(0, *mineView)});
+            writeLenders.write(0, {viewAt(0, *lendersView)});
+            constexpr MemoryState kWritten = {Access::StorageWrite, Stage::Compute, false, {}};
+            run(*device,
+                [&](CommandBuffer& commands)
+                {
+                    commands.barrier(TextureBarrier{mine.get(), states::kUndefined, states::kStorageWrite, {}});
+                    writeMine.record(commands, 8, 8);
+                    commands.barrier(MemoryBarrier{kWritten, kWritten});
+                    const TextureState taken = {Access::StorageWrite, Layout::Undefined, Stage::Compute, {}};
+                    commands.barrier(TextureBarrier{lenders.get(), taken, states::kStorageWrite, {}});
+                    writeLenders.record(commands, 8, 8);
+                });
+            CHECK(isFilledWith(readBack(*device, *lenders, 0, states::kStorageWrite), 77));
+        });
+}
+
+TEST_CASE("memory is wrapped by its handle and one type, or refused", "[gpu]")
+{
+    forEachDevice(
+        [](TestDevice& device)
+        {
+            const auto refuse = [&](uint64_t handle, const MemoryDesc& desc, const char* part)
+            {
+                CHECK_THROWS_WITH(device->wrapMemory(handle, desc), containing("memory 'block': ") && containing(part));
+                CHECK(device.takeMisuses().size() == (device.isDecorated() ? 1 : 0));
+            };
+            MemoryDesc desc = {1024, 1, "block", "lent"};
+            refuse(0, desc, "the memory to wrap is null");
+            desc.memoryTypeBits = 3;
+            refuse(4711, desc, "memoryTypeBits is 0x3, must be the one bit of its type");
+            desc.memoryTypeBits = 1;
+            desc.size = 0;
+            refuse(4711, desc, "size is 0");
+        });
+}
+
 TEST_CASE("textures placed side by side in one memory do not disturb each other", "[gpu]")
 {
     forEachDevice(

@@ -51,6 +51,42 @@ enum class LayoutPolicy : uint8_t
     MAX_NUM
 };
 
+/// A part of a block of device memory.
+struct NrdMemory
+{
+    VkDeviceMemory memory = VK_NULL_HANDLE;
+    VkDeviceSize offset = 0;      // bytes
+    VkDeviceSize size = 0;        // bytes from there on
+    uint32_t memoryTypeIndex = 0; // that it was allocated from
+};
+
+/// How memory is used through whatever lies in it: what a memory barrier names on that side. By default in any way.
+struct NrdMemoryUse
+{
+    VkAccessFlags access = VK_ACCESS_MEMORY_READ_BIT | VK_ACCESS_MEMORY_WRITE_BIT;
+    VkPipelineStageFlags stages = VK_PIPELINE_STAGE_ALL_COMMANDS_BIT; // 0: not at all
+};
+
+/// The application's allocator of device memory for the texture pools; both functions or none. Called within Create()
+/// and Resize(), and where the GPU is done with a pool: within NewFrame(), SetCommonSettings() and Destroy().
+struct DeviceMemoryCallbacks
+{
+    /// Fills in a block that serves `needs`, or returns false: the call that needed it is refused with FAILURE. `name`
+    /// is "NRD permanent" or "NRD transient" and not kept.
+    bool (*allocate)(void* userArg, const VkMemoryRequirements& needs, const char* name, NrdMemory& memory) = nullptr;
+    /// Takes back what allocate() gave.
+    void (*free)(void* userArg, const NrdMemory& memory) = nullptr;
+    void* userArg = nullptr;
+};
+
+/// Device memory of the two texture pools. A size of 0: the pool is empty. No memory type: each texture is allocated
+/// by itself, and the pool cannot be lent.
+struct PoolMemoryRequirements
+{
+    VkMemoryRequirements permanent = {}; // history
+    VkMemoryRequirements transient = {}; // scratch
+};
+
 struct IntegrationCreationDesc
 {
     const char* name = "NRD"; // prefix of debug names: pool textures are "NRD P(0)", "NRD T(0)"; copied
@@ -63,6 +99,15 @@ struct IntegrationCreationDesc
     bool isGpuTimingEnabled = false;     // fills GetTimings()
     bool createDefaultPipelines = false; // those of the default settings in Create(), not at their first use
     bool isPassTracingEnabled = false;   // fills GetLastPass(); passes no longer overlap, so for finding faults only
+    /// The application uses the memory of the transient pool between the calls: its own, or that of
+    /// GetTransientMemory(). What either side leaves there is lost, see DenoiseOptions.
+    bool isTransientMemoryShared = false;
+    /// The transient pool's memory, lent by the application: what GetMemoryRequirements() asks for, in any number of
+    /// integrations at once. It outlives the integration, and is taken as shared. Null: allocated.
+    NrdMemory transientMemory = {};
+    /// Where the pools' other memory comes from; null: vkAllocateMemory(). Buffers (constants, copies for the host) are
+    /// small and the integration's own.
+    DeviceMemoryCallbacks deviceMemory = {};
 };
 
 /// How an image was left, or must be found, between two uses: what an image barrier names on that side. States of
@@ -126,13 +171,18 @@ struct DenoiseOptions
     /// Not 0: the application's number for what this call records, for Repeat(). What had the number before is
     /// forgotten.
     uint32_t recording = 0;
+    /// With shared transient memory: the application's uses of it that came before, for which this call waits, ...
+    NrdMemoryUse transientBefore = {};
+    /// ... and those to come, which wait for this call. `stages` = 0 in `transientBefore` says that nobody else has
+    /// used it since this integration did; with both 0 no barrier is recorded.
+    NrdMemoryUse transientAfter = {};
 };
 
 /// Device memory as allocated, in bytes.
 struct MemoryStatistics
 {
     uint64_t permanent = 0; // history
-    uint64_t transient = 0; // scratch: free for the application's use between the calls of Denoise()
+    uint64_t transient = 0; // scratch; 0 if the application has lent it
     uint64_t total = 0;     // with constants, buffers, and what still waits for the GPU after a Resize()
 };
 
@@ -180,14 +230,23 @@ public:
     /// call needs a Destroy() in between. instanceDesc.messageSink receives the messages of both libraries.
     Result Create(const IntegrationCreationDesc& desc, const InstanceCreationDesc& instanceDesc);
 
+    /// What Create() with the same arguments would take for its pools, by the driver's word, before anything is there.
+    /// The other size of a Resize() may need more. Errors as of Create(); their sentence goes to the message sink.
+    static Result GetMemoryRequirements(const IntegrationCreationDesc& desc, const InstanceCreationDesc& instanceDesc,
+                                        PoolMemoryRequirements& requirements);
+
     /// The GPU must have finished everything that Denoise() recorded. Also after a failed Create(), and twice.
     void Destroy();
     bool IsCreated() const;
 
-    /// Pools and history for another size, without waiting: what the GPU still uses is destroyed `framesInFlight`
-    /// frames later. Settings, pipelines and identifiers stay, HISTORY IS LOST. The next frame needs
-    /// SetCommonSettings() again. On failure the old size stays in use.
-    Result Resize(uint16_t resourceWidth, uint16_t resourceHeight);
+    /// Pools for another size, without waiting: what the GPU still uses is destroyed `framesInFlight` frames later.
+    /// Settings, pipelines and identifiers stay. The next Denoise() needs SetCommonSettings() again, and history goes
+    /// on if these say so: `resourceSizePrev` and `rectSizePrev` are those of the last frame, of the old size. That
+    /// Denoise() then moves the history first; a side that shrinks is resampled. Any other `resourceSizePrev` begins
+    /// histories anew. REFERENCE begins anew when its rectangle changes, as ever.
+    /// `transientMemory`: lent for the new size in place of the memory before, which must live until the old textures
+    /// are gone; null: as before, which must then be large enough. On failure the old size stays in use.
+    Result Resize(uint16_t resourceWidth, uint16_t resourceHeight, const NrdMemory& transientMemory = {});
 
     /// Once per frame, before all else; the GPU must have finished the frame `framesInFlight` calls ago.
     Result NewFrame();
@@ -249,17 +308,19 @@ public:
     /// `generation` is kept: unused views go by themselves after some frames.
     Result Forget(VkImage image);
 
-    /// Valid until the next NewFrame(), Resize() or Destroy(). Never waits: of the frame `framesInFlight` frames ago.
+    /// Valid until the next NewFrame() or Destroy(). Never waits: of the frame `framesInFlight` frames ago.
     Timings GetTimings() const;
 
     /// For the report of a lost device, at any time: of the last `framesInFlight` frames. The name is valid until the
     /// next NewFrame() or Destroy(). Messages of calls that find the device lost have it too.
     LastPass GetLastPass() const;
     MemoryStatistics GetMemoryStatistics() const;
+    /// The transient pool's, for the application's own images and buffers between the calls. Null unless it is shared,
+    /// and where there is no one block. Another one after Resize(), when the old one lives as long as its textures.
+    NrdMemory GetTransientMemory() const;
     IntegrationStatistics GetStatistics() const;
 
     /// The descriptor library underneath, for GetInstanceDesc() and GetRequiredResources(); null before Create().
-    /// Another one after Resize().
     const Instance* GetInstance() const;
 
     /// The sentence of the last refusal; empty if there was none. Valid until the next call that can refuse.

@@ -174,6 +174,26 @@ NrdPluginResult NrdPluginInitialize(uint32_t denoiser, const NrdPluginImage* ima
     return guarded([&] { state().plugin.initialize(denoiser, {images, imageNum}); });
 }
 
+NrdPluginResult NrdPluginGetSettingNum(uint32_t denoiser, uint32_t* num)
+{
+    return guarded([&] { requireOut(num, "settingNum") = settingNum(toDenoiser(denoiser)); });
+}
+
+NrdPluginResult NrdPluginGetSettingInfo(uint32_t denoiser, uint32_t index, NrdPluginSettingInfo* info)
+{
+    return guarded(
+        [&]
+        {
+            requireSize(requireOut(info, "info"), "info");
+            state().plugin.describeSetting(denoiser, index, *info);
+        });
+}
+
+NrdPluginResult NrdPluginSetSetting(uint32_t denoiser, const char* name, double value)
+{
+    return guarded([&] { state().plugin.setSetting(denoiser, &require(name, "name"), value); });
+}
+
 NrdPluginResult NrdPluginSetFrame(const NrdPluginFrame* frame)
 {
     return guarded(

@@ -42,10 +42,11 @@ CommonSettings toCommonSettings(const NrdPluginFrame& frame, const uint16_t (&re
     return result;
 }
 
-SigmaSettings toSigmaSettings(const NrdPluginFrame& frame)
+DenoiserSettings withLight(const DenoiserSettings& settings, const NrdPluginFrame& frame)
 {
-    SigmaSettings result;
-    std::copy(std::begin(frame.lightDirection), std::end(frame.lightDirection), result.lightDirection);
+    DenoiserSettings result = settings;
+    if (SigmaSettings* sigma = std::get_if<SigmaSettings>(&result))
+        std::copy(std::begin(frame.lightDirection), std::end(frame.lightDirection), sigma->lightDirection);
     return result;
 }
 
@@ -72,6 +73,14 @@ void FrameChecker::require(const NrdPluginFrame& frame)
             throw Refusal(Result::INVALID_ARGUMENT,
                           sentence("rectSize[%d] is %u, must be at most %u", i, frame.rectSize[i], kMaxSize));
     check(*m_instance, SetCommonSettings(*m_instance, toCommonSettings(frame, kLargest)));
-    check(*m_instance, SetDenoiserSettings(*m_instance, kIdentifier, toSigmaSettings(frame)));
+    const SigmaSettings sigma = std::get<SigmaSettings>(withLight(SigmaSettings{}, frame));
+    check(*m_instance, SetDenoiserSettings(*m_instance, kIdentifier, sigma));
+}
+
+void requireValid(Denoiser denoiser, const DenoiserSettings& settings)
+{
+    const UniqueInstance instance = makeInstance(denoiser);
+    const auto set = [&](const auto& s) { check(*instance, SetDenoiserSettings(*instance, kIdentifier, s)); };
+    std::visit(set, settings);
 }
 } // namespace nrd::plugin

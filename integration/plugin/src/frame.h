@@ -1,5 +1,6 @@
 // The frame an engine sets, in the library's terms: defaults for what is 0, and the check on the thread that sets it.
 #pragma once
+#include "settings.h"
 #include "unique_instance.h"
 #include <nrd/plugin.h>
 
@@ -7,7 +8,10 @@ namespace nrd::plugin
 {
 /// As if it were the first frame: last frame's matrices, sizes and jitter are this frame's.
 CommonSettings toCommonSettings(const NrdPluginFrame& frame, const uint16_t (&resourceSize)[2]);
-SigmaSettings toSigmaSettings(const NrdPluginFrame& frame);
+/// SIGMA's have the frame's light.
+DenoiserSettings withLight(const DenoiserSettings& settings, const NrdPluginFrame& frame);
+/// Throws the sentence the descriptor library has for it.
+void requireValid(Denoiser denoiser, const DenoiserSettings& settings);
 
 /// Last frame's matrices, sizes and jitter from `last`.
 void continueFrom(const CommonSettings& last, CommonSettings& settings);

@@ -76,6 +76,33 @@ void Plugin::initialize(uint32_t denoiser, Images images)
     m_sessions[denoiser] = std::move(session);
 }
 
+Plugin::AllSettings Plugin::defaults()
+{
+    AllSettings result;
+    for (uint32_t i = 0; i < kDenoiserNum; i++) result[i] = defaultSettings(static_cast<Denoiser>(i));
+    return result;
+}
+
+void Plugin::describeSetting(uint32_t denoiser, uint32_t index, NrdPluginSettingInfo& info)
+{
+    const Denoiser kind = toDenoiser(denoiser);
+    if (index >= settingNum(kind))
+        throw invalid(sentence("index is %u, %s has %u settings", index, toString(kind), settingNum(kind)));
+    const std::lock_guard lock(m_mutex);
+    plugin::describeSetting(kind, index, m_settings[denoiser], info);
+}
+
+void Plugin::setSetting(uint32_t denoiser, const char* name, double value)
+{
+    const Denoiser kind = toDenoiser(denoiser);
+    const std::lock_guard lock(m_mutex);
+    (void)requireDevice();
+    DenoiserSettings settings = m_settings[denoiser];
+    plugin::setSetting(kind, name, value, settings);
+    requireValid(kind, settings);
+    m_settings[denoiser] = settings;
+}
+
 void Plugin::setFrame(const NrdPluginFrame& frame)
 {
     const std::lock_guard lock(m_mutex);
@@ -85,6 +112,7 @@ void Plugin::setFrame(const NrdPluginFrame& frame)
     const bool isRepeated = slot.frame && slot.frame->frameIndex == frame.frameIndex;
     slot.frame = frame;
     slot.sessions = m_sessions;
+    slot.settings = m_settings;
     if (isRepeated) return;
     m_frameNum++;
     collectRetired();
@@ -103,7 +131,7 @@ Plugin::Event Plugin::findEvent(uint32_t eventId)
     if (!slot.sessions[denoiser])
         throw invalid(sentence("event id 0x%X: %s was not initialised when frame %u was set", eventId, name,
                                slot.frame->frameIndex));
-    return {*slot.frame, slot.sessions[denoiser], device.getCommandBuffer, device.userArg};
+    return {*slot.frame, slot.sessions[denoiser], slot.settings[denoiser], device.getCommandBuffer, device.userArg};
 }
 
 void Plugin::execute(uint32_t eventId)
@@ -111,7 +139,7 @@ void Plugin::execute(uint32_t eventId)
     const Event event = findEvent(eventId);
     const VkCommandBuffer commandBuffer = event.getCommandBuffer(event.userArg);
     if (commandBuffer == VK_NULL_HANDLE) throw invalid("getCommandBuffer returned null");
-    event.session->execute(commandBuffer, event.frame);
+    event.session->execute(commandBuffer, event.frame, event.settings);
 }
 
 void Plugin::release(uint32_t denoiser)
@@ -142,6 +170,7 @@ void Plugin::releaseAll()
     m_retired.clear();
     for (RingSlot& slot : m_ring) slot = {};
     m_sessions = {};
+    m_settings = defaults();
     m_checker.reset();
     m_device.reset();
     m_frameNum = 0;

@@ -14,6 +14,8 @@ public:
     /// `create` is NrdIntegration::Create() but in tests.
     void setDevice(const NrdPluginDevice& device, Creator create);
     void initialize(uint32_t denoiser, Images images);
+    void describeSetting(uint32_t denoiser, uint32_t index, NrdPluginSettingInfo& info);
+    void setSetting(uint32_t denoiser, const char* name, double value);
     void setFrame(const NrdPluginFrame& frame);
     void execute(uint32_t eventId);
     void release(uint32_t denoiser);
@@ -23,11 +25,14 @@ private:
     static constexpr uint32_t kDenoiserNum = static_cast<uint32_t>(Denoiser::MAX_NUM);
     using Sessions = std::array<std::shared_ptr<Session>, kDenoiserNum>; // null where not initialised
 
+    using AllSettings = std::array<DenoiserSettings, kDenoiserNum>;
+
     // What the main thread leaves for the events of a frame.
     struct RingSlot
     {
         std::optional<NrdPluginFrame> frame;
         Sessions sessions;
+        AllSettings settings;
     };
     struct Retired
     {
@@ -39,10 +44,12 @@ private:
     {
         NrdPluginFrame frame;
         std::shared_ptr<Session> session;
+        DenoiserSettings settings;
         NrdPluginCommandBufferProvider getCommandBuffer;
         void* userArg;
     };
 
+    static AllSettings defaults();
     Event findEvent(uint32_t eventId);
     const Device& requireDevice() const;
     void retire(std::shared_ptr<Session>& session);
@@ -52,6 +59,7 @@ private:
     std::optional<Device> m_device;
     std::optional<FrameChecker> m_checker;
     Sessions m_sessions;
+    AllSettings m_settings = defaults();
     std::array<RingSlot, kRingSize> m_ring;
     std::vector<Retired> m_retired;
     uint64_t m_frameNum = 0; // frames set

@@ -47,7 +47,7 @@ CommonSettings Session::settingsFor(const NrdPluginFrame& frame) const
     return result;
 }
 
-void Session::execute(VkCommandBuffer commandBuffer, const NrdPluginFrame& frame)
+void Session::execute(VkCommandBuffer commandBuffer, const NrdPluginFrame& frame, const DenoiserSettings& settings)
 {
     const std::lock_guard lock(m_mutex);
     if (m_last && m_last->frameIndex == frame.frameIndex)
@@ -56,15 +56,15 @@ void Session::execute(VkCommandBuffer commandBuffer, const NrdPluginFrame& frame
     // Opened once for each frame that is recorded, whatever was refused: its ring must not run ahead of the GPU.
     if (!m_isFrameOpen) check(m_integration.NewFrame());
     m_isFrameOpen = true;
-    const CommonSettings settings = settingsFor(frame);
-    check(m_integration.SetCommonSettings(settings));
-    if (m_denoiser == Denoiser::SIGMA_SHADOW || m_denoiser == Denoiser::SIGMA_SHADOW_TRANSLUCENCY)
-        check(m_integration.SetDenoiserSettings(kIdentifier, toSigmaSettings(frame)));
+    const CommonSettings common = settingsFor(frame);
+    check(m_integration.SetCommonSettings(common));
+    const auto set = [this](const auto& s) { check(m_integration.SetDenoiserSettings(kIdentifier, s)); };
+    std::visit(set, withLight(settings, frame));
     DenoiseOptions options;
     options.restoreInitialStates = true;
     NrdUserPool pool = m_images.pool;
     check(m_integration.Denoise(commandBuffer, &kIdentifier, 1, pool, options));
     m_isFrameOpen = false;
-    m_last = settings;
+    m_last = common;
 }
 } // namespace nrd::plugin

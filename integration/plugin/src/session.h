@@ -2,6 +2,7 @@
 // was set before can need it.
 #pragma once
 #include "image_slots.h"
+#include "settings.h"
 #include <functional>
 #include <mutex>
 #include <optional>
@@ -26,7 +27,7 @@ public:
     Session(const Device& device, Denoiser denoiser, Images images);
 
     /// Once per frame; one thread at a time comes in.
-    void execute(VkCommandBuffer commandBuffer, const NrdPluginFrame& frame);
+    void execute(VkCommandBuffer commandBuffer, const NrdPluginFrame& frame, const DenoiserSettings& settings);
 
 private:
     void create(const Device& device);

@@ -48,6 +48,13 @@ struct BufferCopy
     uint64_t size = 0;      // bytes, > 0
 };
 
+/// All memory at once. It orders the uses of what aliases a texture, which the texture's own barriers don't see.
+struct MemoryBarrier
+{
+    MemoryState before = {};
+    MemoryState after = {};
+};
+
 /// What dispatchIndirect() reads from its buffer.
 struct DispatchArguments
 {
@@ -101,6 +108,7 @@ public:
     virtual void barriers(Span<const TextureBarrier> textures, Span<const BufferBarrier> buffers) = 0;
     void barrier(const TextureBarrier& texture) { barriers(Span<const TextureBarrier>(&texture, 1), {}); }
     void barrier(const BufferBarrier& buffer) { barriers({}, Span<const BufferBarrier>(&buffer, 1)); }
+    virtual void barrier(const MemoryBarrier& memory) = 0;
 
     /// `layout` is the one the texture is in: TransferDst (TransferSrc for the source of a copy) or General.
     virtual void copyBufferToTexture(const TextureCopy& copy, Layout layout = Layout::TransferDst) = 0;

@@ -83,10 +83,12 @@ public:
     virtual std::unique_ptr<CommandBuffer> createCommandBuffer(const char* name) = 0;
     virtual std::unique_ptr<Fence> createFence(const char* name) = 0;
 
-    /// Wraps an object of the engine (VkImage, VkBuffer, VkCommandBuffer), which stays the engine's. The description
-    /// must be true: it cannot be checked. See rhi/vulkan.h for the typed forms.
+    /// Wraps an object of the engine (VkImage, VkBuffer, VkDeviceMemory, VkCommandBuffer), which stays the engine's.
+    /// The description must be true: it cannot be checked. See rhi/vulkan.h for the typed forms.
     virtual std::unique_ptr<Texture> wrapTexture(uint64_t handle, const TextureDesc& desc) = 0;
     virtual std::unique_ptr<Buffer> wrapBuffer(uint64_t handle, const BufferDesc& desc) = 0;
+    /// `desc.memoryTypeBits` is the one bit of its type; `desc.memoryTag` is not read.
+    virtual std::unique_ptr<Memory> wrapMemory(uint64_t handle, const MemoryDesc& desc) = 0;
     virtual std::unique_ptr<CommandBuffer> wrapCommandBuffer(uint64_t handle, const char* name) = 0;
 
     /// Submits recorded command buffers in order; `fence` (may be null) signals when all of them are done. Throws

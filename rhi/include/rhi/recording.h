@@ -21,6 +21,7 @@ enum class CallType : uint8_t
     CreateFence,
     WrapTexture,
     WrapBuffer,
+    WrapMemory,
     WrapCommandBuffer,
     Destroy,
     AllocateSet,
@@ -33,6 +34,7 @@ enum class CallType : uint8_t
     Dispatch,
     DispatchIndirect,
     Barriers,
+    MemoryBarrier,
     CopyBufferToTexture,
     CopyTextureToBuffer,
     CopyTexture,
@@ -84,6 +86,7 @@ struct RecordedCall
     std::vector<uint32_t> dynamicOffsets;
     std::vector<SpecConstant> constants;
     std::vector<RecordedBarrier> barriers;
+    MemoryBarrier memory;
     std::vector<RecordedBinding> bindings;
 };
 

@@ -175,6 +175,8 @@ class Memory : public Object
 {
 public:
     uint64_t size() const { return m_size; }
+    /// One bit: the type it was allocated from.
+    virtual uint32_t memoryTypeBits() const = 0;
 
 protected:
     explicit Memory(const MemoryDesc& desc) : Object(desc.name), m_size(desc.size) {}

@@ -70,6 +70,16 @@ struct BufferState
     Stage stages = Stage::None;
 };
 
+/// A use of memory through whatever resources lie in it, also the engine's: TextureState less the layout.
+struct MemoryState
+{
+    Access access = Access::None;
+    Stage stages = Stage::None;
+    bool isNative = false; // the state is in `native`; access and stages are then ignored
+    NativeState native = {};
+};
+bool operator==(const MemoryState& a, const MemoryState& b);
+
 bool operator==(const TextureState& a, const TextureState& b);
 inline bool operator!=(const TextureState& a, const TextureState& b) { return !(a == b); }
 

@@ -122,6 +122,10 @@ inline std::unique_ptr<Buffer> wrapVulkanBuffer(Device& device, VkBuffer buffer,
 {
     return device.wrapBuffer(detail::toHandle(buffer), desc);
 }
+inline std::unique_ptr<Memory> wrapVulkanMemory(Device& device, VkDeviceMemory memory, const MemoryDesc& desc)
+{
+    return device.wrapMemory(detail::toHandle(memory), desc);
+}
 /// The command buffer is in the recording state and outside a render pass.
 inline std::unique_ptr<CommandBuffer> wrapVulkanCommandBuffer(Device& device, VkCommandBuffer commandBuffer,
                                                               const char* name = "engine's command buffer")
@@ -130,6 +134,10 @@ inline std::unique_ptr<CommandBuffer> wrapVulkanCommandBuffer(Device& device, Vk
 }
 
 inline VkImage vulkanImage(const Texture& texture) { return detail::fromHandle<VkImage>(texture.nativeHandle()); }
+inline VkDeviceMemory vulkanMemory(const Memory& memory)
+{
+    return detail::fromHandle<VkDeviceMemory>(memory.nativeHandle());
+}
 inline VkImageView vulkanImageView(const TextureView& view)
 {
     return detail::fromHandle<VkImageView>(view.nativeHandle());

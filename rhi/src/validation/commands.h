@@ -36,6 +36,7 @@ public:
     void dispatch(uint32_t x, uint32_t y, uint32_t z) override;
     void dispatchIndirect(const Buffer& arguments, uint64_t offset) override;
     void barriers(Span<const TextureBarrier> textures, Span<const BufferBarrier> buffers) override;
+    void barrier(const MemoryBarrier& memory) override;
     void copyBufferToTexture(const TextureCopy& copy, Layout layout) override;
     void copyTextureToBuffer(const TextureCopy& copy, Layout layout) override;
     void copyTexture(const Texture& src, const Texture& dst) override;

@@ -32,6 +32,7 @@ public:
 
     std::unique_ptr<Texture> wrapTexture(uint64_t handle, const TextureDesc& desc) override;
     std::unique_ptr<Buffer> wrapBuffer(uint64_t handle, const BufferDesc& desc) override;
+    std::unique_ptr<Memory> wrapMemory(uint64_t handle, const MemoryDesc& desc) override;
     std::unique_ptr<CommandBuffer> wrapCommandBuffer(uint64_t handle, const char* name) override;
 
     void submit(Span<CommandBuffer* const> commandBuffers, Fence* fence) override;
@@ -212,6 +213,18 @@ std::unique_ptr<Buffer> ValidDevice::wrapBuffer(uint64_t handle, const BufferDes
             auto inner = m_inner.wrapBuffer(handle, desc);
             auto facts = std::make_shared<BufferFacts>(*inner);
             return std::make_unique<ValidBuffer>(m_validator, std::move(inner), std::move(facts), desc);
+        });
+}
+
+std::unique_ptr<Memory> ValidDevice::wrapMemory(uint64_t handle, const MemoryDesc& desc)
+{
+    return m_validator.guarded(
+        [&]
+        {
+            checkWrappedMemory(handle, desc);
+            auto inner = m_inner.wrapMemory(handle, desc);
+            auto facts = std::make_shared<MemoryFacts>(safeName(desc.name));
+            return std::make_unique<ValidMemory>(m_validator, std::move(inner), std::move(facts), desc);
         });
 }
 

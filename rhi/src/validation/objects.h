@@ -107,9 +107,15 @@ protected:
 };
 
 using ValidTexture = Decorator<Texture, TextureFacts>;
-using ValidMemory = Decorator<Memory, MemoryFacts>;
 using ValidView = Decorator<TextureView, ViewFacts>;
 using ValidPipeline = Decorator<Pipeline, PipelineFacts>;
+
+class ValidMemory final : public Decorator<Memory, MemoryFacts>
+{
+public:
+    using Decorator::Decorator;
+    uint32_t memoryTypeBits() const override { return m_inner->memoryTypeBits(); }
+};
 
 class ValidBuffer final : public Decorator<Buffer, BufferFacts>
 {

@@ -118,6 +118,12 @@ void ValidCommandBuffer::barriers(Span<const TextureBarrier> textures, Span<cons
     m_inner->barriers(innerTextures, innerBuffers);
 }
 
+// What it orders is not tracked: only an engine's resources can need it, of which nothing is known here.
+void ValidCommandBuffer::barrier(const MemoryBarrier& memory)
+{
+    if (isReady("barrier")) m_inner->barrier(memory);
+}
+
 bool ValidCommandBuffer::checkRange(const BufferFacts& buffer, uint64_t offset, uint64_t size, BufferUsage usage) const
 {
     static constexpr std::pair<BufferUsage, const char*> kNames[] = {

@@ -116,4 +116,24 @@ void CommandBuffer::recordLegacyBarriers(Span<const TextureBarrier> textures, Sp
     m_context.fn.cmdPipelineBarrier(m_commandBuffer, beforeStages, afterStages, 0, 0, nullptr, bufferBarriers.size(),
                                     bufferBarriers.data(), imageBarriers.size(), imageBarriers.data());
 }
+
+void CommandBuffer::barrier(const MemoryBarrier& memory)
+{
+    const NativeState before = toVulkan(memory.before);
+    const NativeState after = toVulkan(memory.after);
+    if (m_context.info.hasSynchronization2)
+    {
+        const VkMemoryBarrier2 barrier = {
+            VK_STRUCTURE_TYPE_MEMORY_BARRIER_2, nullptr, before.stages, before.access, after.stages, after.access};
+        auto info = vkStruct<VkDependencyInfo>(VK_STRUCTURE_TYPE_DEPENDENCY_INFO);
+        info.memoryBarrierCount = 1;
+        info.pMemoryBarriers = &barrier;
+        m_context.fn.cmdPipelineBarrier2(m_commandBuffer, &info);
+        return;
+    }
+    const LegacyScope src = toLegacy(before, VK_PIPELINE_STAGE_TOP_OF_PIPE_BIT);
+    const LegacyScope dst = toLegacy(after, VK_PIPELINE_STAGE_BOTTOM_OF_PIPE_BIT);
+    const VkMemoryBarrier barrier = {VK_STRUCTURE_TYPE_MEMORY_BARRIER, nullptr, src.access, dst.access};
+    m_context.fn.cmdPipelineBarrier(m_commandBuffer, src.stages, dst.stages, 0, 1, &barrier, 0, nullptr, 0, nullptr);
+}
 } // namespace rhi::vulkan

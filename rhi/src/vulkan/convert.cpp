@@ -127,6 +127,11 @@ NativeState toVulkan(const BufferState& state)
     return native;
 }
 
+NativeState toVulkan(const MemoryState& state)
+{
+    return state.isNative ? state.native : toVulkan(BufferState{state.access, state.stages});
+}
+
 LegacyScope toLegacy(const NativeState& state, VkPipelineStageFlags noStage)
 {
     uint64_t stages = state.stages;

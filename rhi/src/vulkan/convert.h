@@ -10,6 +10,7 @@ VkBufferUsageFlags toVulkan(BufferUsage usage);
 VkDescriptorType toVulkan(BindingType type);
 VkImageLayout toVulkan(Layout layout); // Undefined for Native, whose layout is in the state
 NativeState toVulkan(const BufferState& state);
+NativeState toVulkan(const MemoryState& state);
 FormatSupport toFormatSupport(VkFormatFeatureFlags features);
 VkImageAspectFlags aspectOf(Format format);
 

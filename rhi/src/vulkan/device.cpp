@@ -100,6 +100,12 @@ std::unique_ptr<rhi::Buffer> Device::wrapBuffer(uint64_t handle, const BufferDes
     return std::make_unique<Buffer>(desc, rhi::detail::fromHandle<VkBuffer>(handle));
 }
 
+std::unique_ptr<rhi::Memory> Device::wrapMemory(uint64_t handle, const MemoryDesc& desc)
+{
+    checkWrappedMemory(handle, desc);
+    return std::make_unique<Memory>(desc, rhi::detail::fromHandle<VkDeviceMemory>(handle));
+}
+
 std::unique_ptr<rhi::CommandBuffer> Device::wrapCommandBuffer(uint64_t handle, const char* name)
 {
     if (handle == 0) throwInvalid(sentence("command buffer '%s': the handle to wrap is null", safeName(name)));

@@ -35,6 +35,7 @@ public:
 
     std::unique_ptr<rhi::Texture> wrapTexture(uint64_t handle, const TextureDesc& desc) override;
     std::unique_ptr<rhi::Buffer> wrapBuffer(uint64_t handle, const BufferDesc& desc) override;
+    std::unique_ptr<rhi::Memory> wrapMemory(uint64_t handle, const MemoryDesc& desc) override;
     std::unique_ptr<rhi::CommandBuffer> wrapCommandBuffer(uint64_t handle, const char* name) override;
 
     void submit(Span<rhi::CommandBuffer* const> commandBuffers, rhi::Fence* fence) override;

@@ -69,7 +69,8 @@ AllocationRequest toRequest(const Context& context, const MemoryDesc& desc, uint
 } // namespace
 
 Memory::Memory(const Context& context, const MemoryDesc& desc)
-    : rhi::Memory(desc), m_allocation(allocateMemory(context, toRequest(context, desc, m_typeBits)))
+    : rhi::Memory(desc), m_allocation(allocateMemory(context, toRequest(context, desc, m_typeBits))),
+      m_memory(m_allocation.memory.get())
 {
 }
 } // namespace rhi::vulkan

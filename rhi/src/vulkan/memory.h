@@ -26,12 +26,18 @@ class Memory final : public rhi::Memory
 {
 public:
     Memory(const Context& context, const MemoryDesc& desc);
-    uint64_t nativeHandle() const override { return rhi::detail::toHandle(m_allocation.memory.get()); }
-    VkDeviceMemory memory() const { return m_allocation.memory.get(); }
-    uint32_t typeBits() const { return m_typeBits; } // one bit: the type it was allocated from
+    /// Borrows the memory of an engine.
+    Memory(const MemoryDesc& desc, VkDeviceMemory memory)
+        : rhi::Memory(desc), m_typeBits(desc.memoryTypeBits), m_memory(memory)
+    {
+    }
+    uint64_t nativeHandle() const override { return rhi::detail::toHandle(m_memory); }
+    uint32_t memoryTypeBits() const override { return m_typeBits; }
+    VkDeviceMemory memory() const { return m_memory; }
 
 private:
     uint32_t m_typeBits = 0;
-    Allocation m_allocation;
+    Allocation m_allocation; // empty when the application lent us the memory
+    VkDeviceMemory m_memory = VK_NULL_HANDLE;
 };
 } // namespace rhi::vulkan

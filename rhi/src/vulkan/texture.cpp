@@ -47,7 +47,7 @@ Texture::Texture(const Context& context, const TextureDesc& desc, const Memory& 
 {
     const MemoryRequirements needs = memoryRequirements(context, m_owned);
     checkPlacement(desc, needs, memory, offset);
-    if (!(needs.memoryTypeBits & memory.typeBits()))
+    if (!(needs.memoryTypeBits & memory.memoryTypeBits()))
         throwInvalid(sentence("texture '%s': memory '%s' is of a type it cannot use", name(), memory.name()));
     check(context.fn.bindImageMemory(context.device, m_image, memory.memory(), offset), "texture", name());
     context.setName(VK_OBJECT_TYPE_IMAGE, m_image, name());

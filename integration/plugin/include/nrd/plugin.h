@@ -127,6 +127,17 @@ extern "C"
         uint32_t isHistoryReset; /* 1: begin anew, as after a camera cut */
     } NrdPluginFrame;
 
+    /* One number of a denoiser's settings, which nrd/settings.h documents. */
+    typedef struct NrdPluginSettingInfo
+    {
+        uint32_t structSize;    /* sizeof(NrdPluginSettingInfo) */
+        uint32_t isLowExcluded; /* 1: (low; high], 0: [low; high] */
+        const char* name;       /* "antilagSettings.resetAmount", "lightPosition[0]"; lives as long as the library */
+        double value;           /* that frames have which are set from now on; flags 0 or 1, modes their number */
+        double low;             /* both 0: a flag, a mode, or a number without bounds */
+        double high;            /* may be infinite */
+    } NrdPluginSettingInfo;
+
     /* Once before all else, and again after NrdPluginReleaseAll(). */
     NRD_PLUGIN_API NrdPluginResult NrdPluginSetDevice(const NrdPluginDevice* device);
 
@@ -139,6 +150,15 @@ extern "C"
      * there already is replaced, its history is lost: so it is resized. */
     NRD_PLUGIN_API NrdPluginResult NrdPluginInitialize(uint32_t denoiser, const NrdPluginImage* images,
                                                        uint32_t imageNum);
+
+    /* The settings of a denoiser that it does not share with all: their number, and each of them. No device needed. */
+    NRD_PLUGIN_API NrdPluginResult NrdPluginGetSettingNum(uint32_t denoiser, uint32_t* settingNum);
+    NRD_PLUGIN_API NrdPluginResult NrdPluginGetSettingInfo(uint32_t denoiser, uint32_t index,
+                                                           NrdPluginSettingInfo* info);
+
+    /* For frames that are set from now on, initialised or not, until NrdPluginReleaseAll(). Refused where the settings
+     * as a whole would not be valid, so the order may matter. */
+    NRD_PLUGIN_API NrdPluginResult NrdPluginSetSetting(uint32_t denoiser, const char* name, double value);
 
     /* Not before the render thread is done with the frame `frameIndex - 4`, whose slot it takes. */
     NRD_PLUGIN_API NrdPluginResult NrdPluginSetFrame(const NrdPluginFrame* frame);

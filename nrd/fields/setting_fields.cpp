@@ -1,10 +1,9 @@
 // Every field of the settings: its name, what it writes to, its range and the group a panel shows it in.
-#include "replay_settings.h"
-
-#include <iterator>
+#include "setting_fields.h"
 #include <limits>
+#include <utility>
 
-namespace sample
+namespace nrd
 {
 namespace
 {
@@ -31,9 +30,11 @@ void add(std::vector<SettingField>& all, const char* group, std::vector<SettingF
     }
 }
 
+} // namespace
+
 // The ranges are those of nrd/settings.h; a test holds them against what the library takes.
 // clang-format off
-std::vector<SettingField> commonFields(nrd::CommonSettings& s)
+std::vector<SettingField> settingFields(CommonSettings& s)
 {
     std::vector<SettingField> all;
     add(all, kApplications, {
@@ -80,7 +81,7 @@ std::vector<SettingField> commonFields(nrd::CommonSettings& s)
     return all;
 }
 
-std::vector<SettingField> reblurFields(nrd::ReblurSettings& s)
+std::vector<SettingField> settingFields(ReblurSettings& s)
 {
     std::vector<SettingField> all;
     add(all, kApplications, {
@@ -141,7 +142,7 @@ std::vector<SettingField> reblurFields(nrd::ReblurSettings& s)
     return all;
 }
 
-std::vector<SettingField> relaxFields(nrd::RelaxSettings& s)
+std::vector<SettingField> settingFields(RelaxSettings& s)
 {
     std::vector<SettingField> all;
     add(all, kApplications, {
@@ -206,7 +207,7 @@ std::vector<SettingField> relaxFields(nrd::RelaxSettings& s)
     return all;
 }
 
-std::vector<SettingField> sigmaFields(nrd::SigmaSettings& s)
+std::vector<SettingField> settingFields(SigmaSettings& s)
 {
     std::vector<SettingField> all;
     add(all, kApplications, {
@@ -222,7 +223,7 @@ std::vector<SettingField> sigmaFields(nrd::SigmaSettings& s)
     return all;
 }
 
-std::vector<SettingField> referenceFields(nrd::ReferenceSettings& s)
+std::vector<SettingField> settingFields(ReferenceSettings& s)
 {
     std::vector<SettingField> all;
     add(all, "Accumulation", {
@@ -231,30 +232,4 @@ std::vector<SettingField> referenceFields(nrd::ReferenceSettings& s)
     return all;
 }
 // clang-format on
-} // namespace
-
-std::vector<SettingField> settingFields(ReplaySettings& settings, Family family)
-{
-    std::vector<SettingField> fields = commonFields(settings.common);
-    std::vector<SettingField> own;
-    switch (family)
-    {
-    case Family::Reblur:
-        own = reblurFields(settings.reblur);
-        break;
-    case Family::Relax:
-        own = relaxFields(settings.relax);
-        break;
-    case Family::Reference:
-        own = referenceFields(settings.reference);
-        break;
-    case Family::Sigma:
-        own = sigmaFields(settings.sigma);
-        break;
-    case Family::None:
-        break;
-    }
-    fields.insert(fields.end(), std::make_move_iterator(own.begin()), std::make_move_iterator(own.end()));
-    return fields;
-}
-} // namespace sample
+} // namespace nrd
