@@ -25,6 +25,7 @@ TracerDesc tracerDesc(const Options& options)
     desc.checkerboard = options.checkerboard;
     desc.hitDistanceParameters = hitDistanceParametersOf(denoiserSettings(options));
     desc.hasShadowSignal = options.hasShadowSignal;
+    desc.mirrorRoughness = options.hasPsr ? kMirrorRoughness : 0.0f;
     return desc;
 }
 

@@ -30,6 +30,7 @@ enum class Verb : uint8_t
     Lobes,
     Checkerboard,
     Bounces,
+    Psr,
     Camera,
     Turn,
     Pick,
