@@ -3,6 +3,7 @@
 #include "scene_cornell.h"
 #include "scene_mirror.h"
 #include "scene_panes.h"
+#include "scene_veils.h"
 
 namespace sample
 {
@@ -12,7 +13,8 @@ constexpr BuiltInScene kScenes[] = {{"cornell", makeCornellBox},
                                     {"bumps", makeBumps},
                                     {"panes", makePanes},
                                     {"mirror", makeMirrorYard},
-                                    {"mirror-twin", makeMirrorTwin}};
+                                    {"mirror-twin", makeMirrorTwin},
+                                     {"veils", makeVeils}};
 } // namespace
 
 std::span<const BuiltInScene> builtInScenes() { return kScenes; }

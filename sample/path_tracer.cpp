@@ -46,7 +46,7 @@ bool usesTextures(const Scene& scene)
 std::vector<uint32_t> specializationOf(const Scene& scene, bool hasEnvironment, const TracerDesc& desc)
 {
     const auto any = [](const auto& list, auto predicate) { return std::any_of(list.begin(), list.end(), predicate); };
-    const bool hasMask = any(scene.materials, [](const Material& m) { return m.alphaCutoff > 0.0f; });
+    const bool hasMask = any(scene.materials, [](const Material& m) { return m.alphaCutoff > 0.0f || m.isGlass; });
     const bool hasEmission = any(scene.materials, [](const Material& m) { return glm::length(m.emission) > 0.0f; });
     const bool hasPunctual = any(scene.nodes, [](const Node& n) { return n.light != kNone; });
     return {usesTextures(scene),
@@ -58,9 +58,10 @@ std::vector<uint32_t> specializationOf(const Scene& scene, bool hasEnvironment, 
             desc.lobes == Lobes::Probabilistic,
             static_cast<uint32_t>(desc.checkerboard),
             desc.hasShadowSignal,
-            any(scene.materials, [](const Material& m) { return m.isBlended; }),
+            any(scene.materials, [](const Material& m) { return m.isBlended || m.isGlass; }),
             desc.lobes == Lobes::Merged,
-            desc.mirrorRoughness > 0.0f};
+            desc.mirrorRoughness > 0.0f,
+            any(scene.materials, [](const Material& m) { return m.isGlass; })};
 }
 
 uint32_t environmentLight(const SceneLights& lights)

@@ -52,6 +52,13 @@ void Run::renderFrames(uint32_t count)
     for (uint32_t i = 0; i < count; ++i) m_renderer.renderFrame();
 }
 
+void Run::renderAt(double time)
+{
+    FrameInput input;
+    input.time = time;
+    m_renderer.startFrame(input);
+}
+
 Picture Run::shown() { return toPicture(m_renderer.readComposed()); }
 
 Picture Run::reference(uint32_t samples)

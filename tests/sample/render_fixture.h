@@ -17,6 +17,8 @@ public:
 
     sample::Renderer& renderer() { return m_renderer; }
     void renderFrames(uint32_t count);
+    /// The next frame, at that time of the animation; seconds.
+    void renderAt(double time);
     /// Of the last frame: denoised and composed; by many samples.
     sample::Picture shown();
     sample::Picture reference(uint32_t samples);
