@@ -9,7 +9,8 @@ namespace
 {
 constexpr float kDuration = 4.0f;
 constexpr float kSway = 0.25f; // metres to either side
-constexpr float kWall = -0.7f; // its z; the things move at z = 0
+constexpr float kWall = -1.2f; // its z; the things move at z = 0
+constexpr float kRoof = 1.7f;  // its height; it leaves the wall in the dark
 constexpr int kTextureSize = 128;
 constexpr int kHoles = 4; // of the grille, per side
 constexpr float kStalkHeight = 1.4f;
@@ -125,8 +126,9 @@ std::vector<Mesh> makeMeshes()
 {
     const auto upright = [](int material)
     { return makeQuad(material, glm::vec3(-0.4f, 0, 0), glm::vec3(0.8f, 0, 0), glm::vec3(0, 0.8f, 0)); };
-    return {{{makeQuad(Wall, glm::vec3(-6, 0, kWall), glm::vec3(12, 0, 0), glm::vec3(0, 4, 0)),
-              makeQuad(Floor, glm::vec3(-6, 0, kWall), glm::vec3(0, 0, 8), glm::vec3(12, 0, 0))},
+    return {{{makeQuad(Wall, glm::vec3(-6, 0, kWall), glm::vec3(12, 0, 0), glm::vec3(0, kRoof, 0)),
+              makeQuad(Floor, glm::vec3(-6, 0, kWall), glm::vec3(0, 0, 8), glm::vec3(12, 0, 0)),
+              makeQuad(Floor, glm::vec3(-6, kRoof, kWall), glm::vec3(12, 0, 0), glm::vec3(0, 0, 0.9f))},
              {}},
             {{makeSphere(glm::vec3(0.0f), 0.42f, Glass)}, {}},
             {{upright(Pane)}, {}},

@@ -173,3 +173,46 @@ TEST_CASE("followed mirrors show what paths show that know nothing of them", "[g
     const glm::vec3 plain = mean([&](size_t i) { return glm::vec3(traced.plainMean[i]); });
     for (int c = 0; c < 3; ++c) CHECK(followed[c] == Approx(plain[c]).epsilon(0.03));
 }
+
+TEST_CASE("a pane of glass shows what lies behind it, dimmed by both its sides", "[gpu]")
+{
+    std::vector<Material> materials = {test::makeMaterial(glm::vec3(0.5f), 0.0f, 0.6f),
+                                       test::makeMaterial(glm::vec3(0.5f, 0.8f, 1.0f), 0.0f, 0.0f)};
+    const Primitive wall = makeQuad(0, {-9, -9, -3}, {18, 0, 0}, {0, 18, 0});
+    const Primitive pane = makeQuad(1, {-9, -9, 0}, {18, 0, 0}, {0, 18, 0});
+    TraceRequest r = request(makeMirrorYard(), false);
+    r.view.camera = lookAt(glm::vec3(0, 0, 5), glm::vec3(0), 0.01f, 1.5f, 0.01f);
+    const Traced bare = test::trace(test::makeScene({wall}, materials), &evenSky(), r);
+    materials[1].isGlass = true;
+    materials[1].isSolidGlass = false;
+    const Traced behind = test::trace(test::makeScene({wall, pane}, materials), &evenSky(), r);
+    const size_t i = bare.center();
+    CHECK(behind.viewZ[i] == Approx(bare.viewZ[i]));
+    CHECK(behind.motion[i].w == 0.0f);
+    const float reflected = 2.0f * 0.04f / 1.04f; // index 1.5, straight on
+    for (int c = 0; c < 3; ++c)
+    {
+        const float tint = (1.0f - reflected) * materials[1].baseColor[c];
+        CHECK(behind.diffuseFactor[i][c] == Approx(tint * bare.diffuseFactor[i][c]).epsilon(1e-3));
+        CHECK(behind.direct[i][c] == Approx(reflected * evenSky().mean[c]).epsilon(0.01)); // of the sky
+    }
+}
+
+TEST_CASE("solid glass bends the camera's ray, and what it shows lies on the ray as if it were straight", "[gpu]")
+{
+    std::vector<Material> materials = {test::makeMaterial(glm::vec3(0.5f), 0.0f, 0.6f),
+                                       test::makeMaterial(glm::vec3(1.0f), 0.0f, 0.0f)};
+    materials[1].isGlass = true;
+    const Primitive wall = makeQuad(0, {-20, -20, -3}, {40, 0, 0}, {0, 40, 0});
+    const Primitive front = makeQuad(1, {-20, -20, 1}, {40, 0, 0}, {0, 40, 0});
+    const Primitive back = makeQuad(1, {-20, -20, 0}, {0, 40, 0}, {40, 0, 0}); // its other side
+    TraceRequest r = request(makeMirrorYard(), false);
+    // 30 degrees off the slab's normal: in glass of index 1.5 the sine is a third.
+    r.view.camera = lookAt(glm::vec3(0, 0, 5), glm::vec3(4.0f * std::tan(0.5235988f), 0, 1), 0.001f, 1.5f, 0.01f);
+    const Traced traced = test::trace(test::makeScene({wall, front, back}, materials), &evenSky(), r);
+    const size_t i = traced.center();
+    const float length = 7.0f / std::cos(0.5235988f) + 1.0f / std::sqrt(1.0f - 1.0f / 9.0f);
+    CHECK(-traced.viewZ[i] == Approx(length).epsilon(1e-3));
+    CHECK(glm::distance(glm::vec3(traced.normalRoughness[i]), glm::vec3(0, 0, 1)) < 1e-3f); // bent back again
+    CHECK(glm::vec3(traced.motion[i]) == glm::vec3(0.0f));
+}
