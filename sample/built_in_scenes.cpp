@@ -9,12 +9,9 @@ namespace sample
 {
 namespace
 {
-constexpr BuiltInScene kScenes[] = {{"cornell", makeCornellBox},
-                                    {"bumps", makeBumps},
-                                    {"panes", makePanes},
-                                    {"mirror", makeMirrorYard},
-                                    {"mirror-twin", makeMirrorTwin},
-                                     {"veils", makeVeils}};
+constexpr BuiltInScene kScenes[] = {
+    {"cornell", makeCornellBox},     {"bumps", makeBumps}, {"panes", makePanes}, {"mirror", makeMirrorYard},
+    {"mirror-twin", makeMirrorTwin}, {"veils", makeVeils}};
 } // namespace
 
 std::span<const BuiltInScene> builtInScenes() { return kScenes; }

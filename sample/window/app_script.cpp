@@ -153,6 +153,9 @@ void App::runTracing(const ScriptCommand& command)
     case Verb::Psr:
         state.hasPsr = command.numbers[0] != 0.0;
         return;
+    case Verb::Taa:
+        state.hasTemporalAa = command.numbers[0] != 0.0;
+        return;
     case Verb::Sun:
         state.sun = {number, second};
         return;

@@ -31,6 +31,7 @@ enum class Verb : uint8_t
     Checkerboard,
     Bounces,
     Psr,
+    Taa,
     Camera,
     Turn,
     Pick,

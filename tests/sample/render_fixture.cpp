@@ -59,7 +59,7 @@ void Run::renderAt(double time)
     m_renderer.startFrame(input);
 }
 
-Picture Run::shown() { return toPicture(m_renderer.readComposed()); }
+Picture Run::shown() { return toPicture(m_renderer.readShown()); }
 
 Picture Run::reference(uint32_t samples)
 {
