@@ -27,7 +27,8 @@ TEST_CASE("a denoised mirror looks like the mirrored scene seen directly", "[qua
     constexpr const char* kDenoiser = "REBLUR_DIFFUSE_SPECULAR";
     test::Run noisy = render("NONE", false, makeMirrorYard), twin = render(kDenoiser, false, makeMirrorTwin);
     test::Run with = render(kDenoiser, true, makeMirrorYard), without = render(kDenoiser, false, makeMirrorYard);
-    for (test::Run* run : {&noisy, &twin, &with, &without}) run->renderFrames(kFrames);
+    for (test::Run* run : {&twin, &with, &without}) run->renderFrames(kFrames);
+    noisy.renderAt((kFrames - 1) / 60.0); // has no history
     const Mask mirror = noisy.maskOf(kMirror);
     const Picture seen = twin.reference(kSamples);
     const auto error = [&](test::Run& run) { return test::flipOf(run.shown(), seen, mirror); };
