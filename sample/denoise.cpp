@@ -72,6 +72,7 @@ DenoiseStage::DenoiseStage(const engine::Device& device, const DenoiseDesc& desc
 {
     if (!desc.set.isNone()) createIntegration(); // first: it may be refused
     createImages();
+    if (desc.hasTemporalAa) m_temporalAa.emplace(device, desc.width, desc.height);
     m_packGuides = createPixelPipeline(device, shaderBlob(Shader::PackGuides), 2, sizeof(glm::uvec2));
 }
 
@@ -184,6 +185,8 @@ void DenoiseStage::record(VkCommandBuffer cmd, FrameImages& images, const Denois
     if (m_desc.set.lobes->family == Family::Reference)
         denoise(cmd, {kLobeDenoiser},
                 {{nrd::ResourceType::IN_SIGNAL, &m_signal}, {nrd::ResourceType::OUT_SIGNAL, &m_composed}});
+    if (m_temporalAa)
+        m_temporalAa->record(cmd, images, m_composed, frame.view, m_previous && !frame.isCut ? &*m_previous : nullptr);
     m_previous = frame.view;
 }
 

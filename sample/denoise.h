@@ -3,6 +3,7 @@
 #include "compose.h"
 #include "denoiser_set.h"
 #include "shadow_signal.h"
+#include "temporal_aa.h"
 
 #include <nrd/integration.h>
 
@@ -20,6 +21,7 @@ struct DenoiseDesc
     bool hasShadowSignal = false;        // as the tracer; a set without a denoiser of it shows it noisy
     bool isTimed = false;                // fills timings()
     bool hasOverlay = false;             // overlay() exists, if the denoiser has one
+    bool hasTemporalAa = false;          // shown() is anti-aliased, which takes jitter
 };
 
 /// What changes from frame to frame.
@@ -47,6 +49,8 @@ public:
     void setSettings(const ReplaySettings& settings, const std::vector<Assignment>& assignments);
 
     engine::Image& composed() { return m_composed; } // RGBA32F, linear
+    /// What is for the eye: composed(), anti-aliased if asked for. Another image by turns.
+    engine::Image& shown() { return m_temporalAa ? m_temporalAa->result() : m_composed; }
     /// RGBA32F: linear radiance, normalised hit distance. Null when the denoiser does not take the lobe.
     engine::Image* denoised(Lobe lobe);
     /// RGBA32F: what comes through, visible share of the light. Null when the shadow isn't denoised.
@@ -86,6 +90,7 @@ private:
     engine::ComputePipeline m_packGuides;
     VkDescriptorSet m_packGuidesSet = VK_NULL_HANDLE;
     ComposePass m_compose;
+    std::optional<TemporalAa> m_temporalAa;
     nrd::NrdIntegration m_integration;
     std::optional<View> m_previous;
 };

@@ -103,7 +103,7 @@ SceneFacts factsOf(const Scene& scene)
         const TextureUse& use = material.metallicRoughnessTexture;
         facts.leastRoughness = std::min(facts.leastRoughness, material.roughness * rangeOf(scene, use, 1).first);
         facts.largestMetallic = std::max(facts.largestMetallic, material.metallic * rangeOf(scene, use, 2).second);
-        facts.hasBlended |= material.isBlended;
+        facts.hasBlended |= material.isBlended || material.isGlass;
     }
     facts.hasSun = hasShadowLight(scene);
     return facts;

@@ -11,8 +11,10 @@ namespace sample
 {
 namespace
 {
-constexpr const char* kKnownExtensions[] = {"KHR_texture_transform", "KHR_materials_emissive_strength",
-                                            "KHR_lights_punctual", "KHR_mesh_quantization"};
+constexpr const char* kKnownExtensions[] = {"KHR_texture_transform",      "KHR_materials_emissive_strength",
+                                            "KHR_lights_punctual",        "KHR_mesh_quantization",
+                                            "KHR_materials_transmission", "KHR_materials_ior",
+                                            "KHR_materials_volume"};
 constexpr uint32_t kGlbMagic = 0x46546C67; // "glTF"
 constexpr uint32_t kJsonChunk = 0x4E4F534A;
 constexpr std::streamoff kMaxFileSize = std::streamoff(1) << 31;

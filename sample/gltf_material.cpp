@@ -102,6 +102,23 @@ glm::vec3 emissionOf(const tinygltf::Material& source)
     return emission;
 }
 
+float numberOfExtension(const tinygltf::Material& source, const char* extension, const char* key, float otherwise)
+{
+    const auto found = source.extensions.find(extension);
+    if (found == source.extensions.end() || !found->second.IsObject()) return otherwise;
+    const float value = numberOf(found->second, key, otherwise);
+    return std::isfinite(value) ? value : otherwise;
+}
+
+// All or nothing, since a guide describes one surface.
+void readGlass(const tinygltf::Material& source, Material& material)
+{
+    material.isGlass = numberOfExtension(source, "KHR_materials_transmission", "transmissionFactor", 0.0f) >= 0.5f &&
+                       material.metallic < 0.5f;
+    material.isSolidGlass = numberOfExtension(source, "KHR_materials_volume", "thicknessFactor", 0.0f) > 0.0f;
+    material.ior = std::clamp(numberOfExtension(source, "KHR_materials_ior", "ior", 1.5f), 1.0f, 4.0f);
+}
+
 Material toMaterial(const tinygltf::Model& model, const tinygltf::Material& source, const std::string& what)
 {
     const auto& pbr = source.pbrMetallicRoughness;
@@ -118,6 +135,7 @@ Material toMaterial(const tinygltf::Model& model, const tinygltf::Material& sour
     material.isBlended = source.alphaMode == "BLEND";
     if (material.isBlended) material.alphaCutoff = 0.5f;
     material.isDoubleSided = source.doubleSided;
+    readGlass(source, material);
     material.baseColorTexture = toUse(model, pbr.baseColorTexture, what + ", base colour,");
     material.metallicRoughnessTexture = toUse(model, pbr.metallicRoughnessTexture, what + ", metallic-roughness,");
     material.normalTexture = toUse(model, source.normalTexture, what + ", normal,");

@@ -75,7 +75,7 @@ public:
         for (uint32_t i = 0; i < m_options.frames; ++i) frame(i);
         m_progress.finish();
         if (m_writer) m_writer->finish();
-        if (!m_options.screenshot.empty()) writePicture(m_options.screenshot, m_renderer.readComposed());
+        if (!m_options.screenshot.empty()) writePicture(m_options.screenshot, m_renderer.readShown());
         if (!m_options.demo.empty()) finishDemo();
     }
 

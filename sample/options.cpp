@@ -101,6 +101,11 @@ void addRendering(CLI::App& app, Options& o)
            "Least roughness of surfaces lit by rough ones, as a share of theirs, default 0.5; 0 = true caustics")
         ->check(CLI::Range(0.0, 1.0));
     app.add_flag("--jitter", o.hasJitter, "Move the sub-pixel position from frame to frame");
+    app.add_flag(
+        "--taa", o.hasTemporalAa,
+        "Temporal anti-aliasing of --screenshot and the window, with --jitter; signals and measures are without");
+    app.add_flag("--psr", o.hasPsr,
+                 "Primary surface replacement: denoise what smooth metals mirror in place of the mirror");
     app.add_option("--seed", o.seed, "Of the noise, default 0");
 }
 

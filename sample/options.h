@@ -40,6 +40,8 @@ struct Options
     uint32_t bounces = 4;
     float roughening = 0.5f; // [0; 1], see TracerDesc
     bool hasJitter = false;
+    bool hasTemporalAa = false;       // of pictures to look at, with jitter
+    bool hasPsr = false;              // primary surface replacement
     std::filesystem::path screenshot; // of the last frame, .png or .exr
     std::filesystem::path noisyScreenshot;
     std::filesystem::path referenceScreenshot;

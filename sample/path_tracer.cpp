@@ -29,6 +29,7 @@ TracerDesc descOfMode(TracerDesc desc, uint32_t mode)
     if (mode > 0) desc.checkerboard = nrd::CheckerboardMode::OFF;
     if (mode > 1 || (mode > 0 && desc.lobes == Lobes::Probabilistic)) desc.lobes = Lobes::Both;
     if (mode > 1) desc.hasShadowSignal = false;
+    if (mode > 1) desc.mirrorRoughness = 0.0f;
     return desc;
 }
 
@@ -41,11 +42,11 @@ bool usesTextures(const Scene& scene)
     return false;
 }
 
-// Same order as the constant ids in scene_data.glsl and lobe_choice.glsl.
+// Same order as the constant ids in scene_data.glsl, lobe_choice.glsl and primary.glsl.
 std::vector<uint32_t> specializationOf(const Scene& scene, bool hasEnvironment, const TracerDesc& desc)
 {
     const auto any = [](const auto& list, auto predicate) { return std::any_of(list.begin(), list.end(), predicate); };
-    const bool hasMask = any(scene.materials, [](const Material& m) { return m.alphaCutoff > 0.0f; });
+    const bool hasMask = any(scene.materials, [](const Material& m) { return m.alphaCutoff > 0.0f || m.isGlass; });
     const bool hasEmission = any(scene.materials, [](const Material& m) { return glm::length(m.emission) > 0.0f; });
     const bool hasPunctual = any(scene.nodes, [](const Node& n) { return n.light != kNone; });
     return {usesTextures(scene),
@@ -57,8 +58,10 @@ std::vector<uint32_t> specializationOf(const Scene& scene, bool hasEnvironment, 
             desc.lobes == Lobes::Probabilistic,
             static_cast<uint32_t>(desc.checkerboard),
             desc.hasShadowSignal,
-            any(scene.materials, [](const Material& m) { return m.isBlended; }),
-            desc.lobes == Lobes::Merged};
+            any(scene.materials, [](const Material& m) { return m.isBlended || m.isGlass; }),
+            desc.lobes == Lobes::Merged,
+            desc.mirrorRoughness > 0.0f,
+            any(scene.materials, [](const Material& m) { return m.isGlass; })};
 }
 
 uint32_t environmentLight(const SceneLights& lights)
@@ -257,7 +260,7 @@ void PathTracer::record(VkCommandBuffer cmd, uint32_t mode, const std::vector<en
     // Twenty units in the last place of a position, and a share of the scene for surfaces near the origin.
     c.jitter = glm::vec4(view.jitter, 2.5e-6f, 1e-6f * m_sceneRadius);
     c.hitDistanceParameters = glm::vec4(m_desc.hitDistanceParameters, m_desc.maxRadiance);
-    c.limits = glm::vec4(m_desc.roughening, 0.0f, 0.0f, 0.0f);
+    c.limits = glm::vec4(m_desc.roughening, m_desc.mirrorRoughness, 0.0f, 0.0f);
     c.size = glm::uvec4(m_desc.width, m_desc.height, m_nodeCount, m_lightCount);
     c.environment = m_environmentConstants;
     c.environment.w = m_desc.maxBounces;

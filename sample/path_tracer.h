@@ -17,6 +17,9 @@ enum class Lobes : uint8_t
     Merged         // one path for both, which makes one signal: `diffuse` with the factor of both; `specular` is 0
 };
 
+/// Reflections of smoother surfaces than this are sharp at any distance that matters; for TracerDesc.
+constexpr float kMirrorRoughness = 0.05f;
+
 struct TracerDesc
 {
     uint32_t width = 0;      // pixels, > 0
@@ -35,6 +38,10 @@ struct TracerDesc
     // SceneLights::shadowLight lights the primary surface apart: not in `diffuse` and `specular`, but in `sun`, with
     // its shadow in `shadow`. Needs hasShadowLight().
     bool hasShadowSignal = false;
+    // Metals and black surfaces up to this roughness are mirrors that the camera's ray follows: what it finds behind
+    // them is the primary surface (of frames and references), unfolded to where the camera sees it. 0: none are;
+    // smoother ones than 0.04 count as that.
+    float mirrorRoughness = 0.0f;
 };
 
 /// What one frame leaves behind; meaning as in the capture format, unless noted. Floats, so that no device's rounding

@@ -25,6 +25,7 @@ TracerDesc tracerDesc(const Options& options)
     desc.checkerboard = options.checkerboard;
     desc.hitDistanceParameters = hitDistanceParametersOf(denoiserSettings(options));
     desc.hasShadowSignal = options.hasShadowSignal;
+    desc.mirrorRoughness = options.hasPsr ? kMirrorRoughness : 0.0f;
     return desc;
 }
 
@@ -90,14 +91,17 @@ Image toImage(const Planes& planes, Channel first)
 
 DenoiseDesc denoiseDesc(const Options& options, const Scene& scene, const DenoiserSet& set)
 {
-    return {set,
-            options.width,
-            options.height,
-            kFramesInFlight,
-            denoiserSettings(options),
-            options.settings,
-            !scene.channels.empty(),
-            options.hasShadowSignal};
+    DenoiseDesc desc;
+    desc.set = set;
+    desc.width = options.width;
+    desc.height = options.height;
+    desc.framesInFlight = kFramesInFlight;
+    desc.settings = denoiserSettings(options);
+    desc.assignments = options.settings;
+    desc.isSceneMoving = !scene.channels.empty();
+    desc.hasShadowSignal = options.hasShadowSignal;
+    desc.hasTemporalAa = options.hasTemporalAa;
+    return desc;
 }
 
 Stage loadStage(const Options& options)
@@ -180,7 +184,7 @@ void Renderer::startFrame(const FrameInput& input)
     const uint32_t index = m_nextFrame++;
     m_frame.view.camera =
         input.camera ? *input.camera : currentCamera(float(m_options.width) / float(m_options.height));
-    m_frame.view.jitter = m_options.hasJitter ? jitterOf(index) : glm::vec2(0.0f);
+    m_frame.view.jitter = m_options.hasJitter || m_options.hasTemporalAa ? jitterOf(index) : glm::vec2(0.0f);
     m_frame.view.frameIndex = index;
     m_frame.denoisingRange = m_tracer.denoisingRange();
     m_frame.deltaTimeMs = input.deltaTimeMs;
@@ -288,7 +292,7 @@ Signals Renderer::readDenoised(size_t set)
     return signals;
 }
 
-Image Renderer::readComposed() { return readPicture(m_device, m_stages[shownSet()]->composed()); }
+Image Renderer::readShown() { return readPicture(m_device, m_stages[shownSet()]->shown()); }
 
 size_t Renderer::shownSet() const
 {

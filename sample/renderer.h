@@ -54,8 +54,8 @@ public:
     Planes traceReference(const Planes& frame, uint32_t samples, const std::function<void(double)>& progress);
     /// What a set of Options::sets made of its signals in the last frame, linear.
     Signals readDenoised(size_t set);
-    /// The composed picture of the last frame, of the set that is shown.
-    Image readComposed();
+    /// The picture of the last frame, of the set that is shown; composed and, if asked for, anti-aliased.
+    Image readShown();
     /// The set whose picture is the last frame's. All of them run in every frame, so that each is warm when its turn
     /// comes.
     size_t shownSet() const;

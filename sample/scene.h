@@ -59,6 +59,9 @@ struct Material
     float alphaCutoff = 0.0f; // a surface with alpha below it is not there; 0 = opaque
     bool isBlended = false;   // lets light through, tinted; where alphaCutoff says it is there, rays still end at it
     bool isDoubleSided = false;
+    bool isGlass = false;     // the camera sees through it, bent where it is solid; light passes straight, tinted
+    bool isSolidGlass = true; // false: a pane without thickness, which bends nothing
+    float ior = 1.5f;         // of glass, [1; 4]
     TextureUse baseColorTexture;
     TextureUse metallicRoughnessTexture;
     TextureUse normalTexture;

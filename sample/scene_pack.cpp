@@ -126,12 +126,13 @@ Words packMaterials(const Scene& scene, const PackedTexels& texels)
     for (const Material& m : scene.materials)
     {
         out.push_back(words(m.baseColor));
-        out.push_back(words(m.emission, bits(m.alphaCutoff)));
+        // No bounce ends at glass.
+        out.push_back(words(m.emission, bits(m.isGlass ? 2.0f : m.alphaCutoff)));
         out.push_back(words(glm::vec4(m.metallic, m.roughness, m.normalScale, m.isDoubleSided ? 1.0f : 0.0f)));
         for (const TextureUse* use :
              {&m.baseColorTexture, &m.metallicRoughnessTexture, &m.normalTexture, &m.emissiveTexture})
             appendTexture(*use, scene, texels, out);
-        out.emplace_back(m.isBlended, 0, 0, 0);
+        out.emplace_back(m.isBlended || m.isGlass, m.isGlass, bits(m.ior), m.isSolidGlass);
     }
     return out;
 }

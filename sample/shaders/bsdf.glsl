@@ -32,14 +32,26 @@ vec2 energyOf(float nov, float roughness)
     return mix(top, bottom, f.y);
 }
 
+// Compensation of the specular lobe for light that is scattered more than once.
+vec3 multipleScattering(Surface s, vec2 energy)
+{
+    return 1.0 + s.f0 * (1.0 / max(energy.x + energy.y, 1e-3) - 1.0);
+}
+
+// Share of the light that the specular lobe reflects.
+vec3 specularAlbedo(Surface s, vec2 energy)
+{
+    return clamp((s.f0 * energy.y + energy.x) * multipleScattering(s, energy), 0.0, 1.0);
+}
+
 Bsdf makeBsdf(Surface s)
 {
     Bsdf b;
     b.nov = clamp(dot(s.normal, s.view), 1e-3, 1.0);
     b.alpha = s.roughness * s.roughness;
     vec2 energy = energyOf(b.nov, s.roughness);
-    b.scale = 1.0 + s.f0 * (1.0 / max(energy.x + energy.y, 1e-3) - 1.0);
-    vec3 specular = clamp((s.f0 * energy.y + energy.x) * b.scale, 0.0, 1.0);
+    b.scale = multipleScattering(s, energy);
+    vec3 specular = specularAlbedo(s, energy);
     b.diffuse = s.albedo * (1.0 - specular) / kPi;
     float a2 = b.alpha * b.alpha;
     float sine2 = max(1.0 - b.nov * b.nov, 0.0);

@@ -110,7 +110,7 @@ bool sampleDirection(inout Path path, vec2 u, float choice, float chance, out ve
 bool advance(inout Path path, vec3 direction, float pdf, bool isAlive)
 {
     vec3 origin = offsetOrigin(path.surface, direction);
-    Hit hit = traceRay(origin, direction, isAlive ? 1e30 : 0.0);
+    Hit hit = traceRay(origin, direction, isAlive ? 1e30 : 0.0, kBounce);
     bool isMiss = hit.triangle == kNoHit, isPrimary = path.bounce == 0u;
     path.throughput *= tintUpTo(origin, direction, hit.t);
     if (isPrimary)

@@ -12,6 +12,7 @@ layout(constant_id = 4) const bool kHasEnvironment = true;
 layout(constant_id = 5) const bool kHasMotion = true;
 layout(constant_id = 8) const bool kHasShadowLight = true; // its light at the primary surface is a signal of its own
 layout(constant_id = 9) const bool kHasBlended = true;     // materials that let light through
+layout(constant_id = 12) const bool kHasGlass = true;      // and that the camera sees through
 
 layout(set = 0, binding = 0, std140) uniform Constants { TraceConstants g; };
 layout(set = 0, binding = 1) uniform usamplerBuffer gNodes;       // 2 per node

@@ -82,6 +82,8 @@ vec3 fetchTransmittance(int triangle, int material, vec2 barycentrics)
         vec4 texel = fetchTexture(triangle, material, kBaseColor, barycentrics, -20.0);
         color *= vec4(srgbToLinear(texel.rgb), texel.a) * colorOf(triangle, barycentrics);
     }
+    // Glass is all there.
+    if (kHasGlass && texelFetch(gMaterials, 16 * material + 15).y != 0u) return color.rgb;
     return (1.0 - color.a) * mix(vec3(1.0), color.rgb, min(4.0 * color.a, 1.0));
 }
 

@@ -2,6 +2,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "path.glsl"
+#include "primary.glsl"
 #include "shadow_light.glsl"
 
 layout(local_size_x = 64) in;
@@ -55,6 +56,37 @@ void storeShadow(ivec2 pixel, Surface s, bool isSky, vec3 tint, uint seed)
     imageStore(gOut_Shadow, pixel, vec4(shadow.transmittance, shadow.distance));
     imageStore(gOut_Sun, pixel, vec4(bounded(sun.rgb) * tint, sun.w));
 }
+
+// Of the unfolded surface.
+void storeGuides(ivec2 pixel, Primary p, float viewZ)
+{
+    Surface s = p.surface;
+    vec3 motion = kHasMotion && !p.isSky ? fetchMotion(p.hit) : vec3(0.0);
+    motion = p.isSky ? motion : unfoldMotion(p, s.position, motion);
+    vec3 normal = unfoldDirection(p, p.isSky ? -p.direction : s.normal);
+    imageStore(gOut_ViewZ, pixel, vec4(viewZ));
+    imageStore(gOut_NormalRoughness, pixel, vec4(normal, p.isSky ? 1.0 : s.roughness));
+    imageStore(gOut_Motion, pixel, vec4(motion, p.isSky ? 0.0 : float(s.material & 255u)));
+}
+
+// Directions and motion are unfolded too: what lights the surface moves with it.
+void storeSignals(ivec2 pixel, Primary p, Split split, PathSums sums)
+{
+    vec3 tint = p.isSky ? vec3(0.0) : p.tint;
+    bool hasSpecular = sums.specularDistance > 0.0;
+    vec3 reflected = p.surface.position + sums.specularDirection * min(sums.specularDistance, kMiss);
+    vec3 specularMotion = hasSpecular ? unfoldMotion(p, reflected, sums.specularMotion) : vec3(0.0);
+    imageStore(gOut_Diffuse, pixel, vec4(sums.diffuse, sums.diffuseDistance));
+    imageStore(gOut_Specular, pixel, vec4(sums.specular, sums.specularDistance));
+    imageStore(gOut_DiffuseDirection, pixel, vec4(unfoldDirection(p, sums.diffuseDirection), 0.0));
+    imageStore(gOut_SpecularDirection, pixel, vec4(unfoldDirection(p, sums.specularDirection), 0.0));
+    imageStore(gOut_DiffuseFactor, pixel, vec4(split.diffuseFactor * tint, 0.0));
+    imageStore(gOut_SpecularFactor, pixel, vec4(split.specularFactor * tint, 0.0));
+    imageStore(gOut_Direct, pixel, vec4(p.direct, 0.0));
+    imageStore(gOut_DiffuseOrigin, pixel, vec4(unfoldDirection(p, sums.diffuseOrigin), 0.0));
+    imageStore(gOut_SpecularOrigin, pixel, vec4(unfoldDirection(p, sums.specularOrigin), 0.0));
+    imageStore(gOut_SpecularMotion, pixel, vec4(specularMotion, hasSpecular ? 1.0 : 0.0));
+}
 #elif MODE == 1
 void addShadows(ivec2 pixel, Surface s, bool isSky, uint seed)
 {
@@ -85,41 +117,21 @@ void main()
 {
     ivec2 pixel = pixelOf(gl_WorkGroupID.x, gl_LocalInvocationIndex);
     if (any(greaterThanEqual(uvec2(pixel), g.size.xy))) return;
-    vec3 origin = g.viewToWorld[3].xyz;
-    vec3 direction = primaryDirection(pixel);
-    Hit hit = traceRay(origin, direction, 1e30);
-    vec3 tint = tintUpTo(origin, direction, hit.t);
-    bool isSky = hit.triangle == kNoHit;
-    hit.triangle = isSky ? 0 : hit.triangle;
-    float width = isSky ? 0.0 : g.frustum.z * hit.t;
-    Surface s = fetchSurface(hit, direction, width, 0.0);
-    float viewZ = isSky ? g.frustum.w : (g.worldToView * vec4(s.position, 1.0)).z;
+    Primary p = findPrimary(g.viewToWorld[3].xyz, primaryDirection(pixel));
+    Surface s = p.surface;
+    float viewZ = p.isSky ? g.frustum.w : (g.worldToView * vec4(unfoldPosition(p, s.position), 1.0)).z;
     Split split = splitOf(s);
     if (MODE != 2) split.choice = chooseLobes(s, makeBsdf(s), pixel, g.sampling.y);
-    vec3 direct = isSky ? (kHasEnvironment ? environmentSmooth(direction) : vec3(0.0)) : s.emission;
     uint seed = hash(uint(pixel.y) * g.size.x + uint(pixel.x) + g.sampling.x * 0x9E3779B9u);
 
     PathSums sums = noPaths();
-    if (!isSky) sums = tracePaths(s, viewZ, width, split, seed);
+    if (!p.isSky) sums = tracePaths(s, viewZ, p.width, split, seed);
 #if MODE == 0
-    vec3 motion = kHasMotion && !isSky ? fetchMotion(hit) : vec3(0.0);
-    vec3 toSurface = isSky ? vec3(0.0) : vec3(1.0);
-    imageStore(gOut_ViewZ, pixel, vec4(viewZ));
-    imageStore(gOut_NormalRoughness, pixel, isSky ? vec4(-direction, 1.0) : vec4(s.normal, s.roughness));
-    imageStore(gOut_Motion, pixel, vec4(motion, isSky ? 0.0 : float(s.material & 255u)));
-    imageStore(gOut_Diffuse, pixel, vec4(sums.diffuse, sums.diffuseDistance));
-    imageStore(gOut_Specular, pixel, vec4(sums.specular, sums.specularDistance));
-    imageStore(gOut_DiffuseDirection, pixel, vec4(sums.diffuseDirection, 0.0));
-    imageStore(gOut_SpecularDirection, pixel, vec4(sums.specularDirection, 0.0));
-    imageStore(gOut_DiffuseFactor, pixel, vec4(split.diffuseFactor * tint * toSurface, 0.0));
-    imageStore(gOut_SpecularFactor, pixel, vec4(split.specularFactor * tint * toSurface, 0.0));
-    imageStore(gOut_Direct, pixel, vec4(direct * tint, 0.0));
-    imageStore(gOut_DiffuseOrigin, pixel, vec4(sums.diffuseOrigin, 0.0));
-    imageStore(gOut_SpecularOrigin, pixel, vec4(sums.specularOrigin, 0.0));
-    imageStore(gOut_SpecularMotion, pixel, vec4(sums.specularMotion, sums.specularDistance > 0.0 ? 1.0 : 0.0));
-    if (kHasShadowLight) storeShadow(pixel, s, isSky, tint, seed);
+    storeGuides(pixel, p, viewZ);
+    storeSignals(pixel, p, split, sums);
+    if (kHasShadowLight) storeShadow(pixel, s, p.isSky, p.tint, seed);
 #else
-    if (MODE == 2) sums.diffuse *= tint;
+    if (MODE == 2) sums.diffuse *= p.tint;
     vec4 diffuse = vec4(sums.diffuse, sums.diffuseHit), specular = vec4(sums.specular, sums.specularHit);
     if (g.sampling.w == 0u)
     {
@@ -130,6 +142,6 @@ void main()
     imageStore(gSum_Specular, pixel, specular);
 #endif
 #if MODE == 1
-    if (kHasShadowLight) addShadows(pixel, s, isSky, seed);
+    if (kHasShadowLight) addShadows(pixel, s, p.isSky, seed);
 #endif
 }

@@ -5,6 +5,11 @@
 
 const float kEdge = 1e-5; // share of a triangle
 
+// What a ray is for decides what stops it.
+const uint kSight = 0u;  // the camera's: glass, and blended surfaces from an alpha of one half on
+const uint kBounce = 1u; // a path's: the same but for glass
+const uint kLight = 2u;  // only what lets no light through
+
 struct Hit
 {
     int triangle; // position in gTriangles / 3, kNoHit: none
@@ -36,9 +41,20 @@ bool isCutOut(int triangle, vec2 barycentrics)
     return fetchAlpha(triangle, int(material), barycentrics) < cutoff;
 }
 
+// Word 15 of its material: blended (or glass), glass, index of refraction, solid.
+uvec4 mediumOf(int triangle)
+{
+    return texelFetch(gMaterials, 16 * int(texelFetch(gTriangles, 3 * triangle).w) + 15);
+}
+
 bool isBlended(int triangle)
 {
-    return texelFetch(gMaterials, 16 * int(texelFetch(gTriangles, 3 * triangle).w) + 15).x != 0u;
+    return mediumOf(triangle).x != 0u;
+}
+
+bool isGlass(int triangle)
+{
+    return kHasGlass && mediumOf(triangle).y != 0u;
 }
 
 // Transmittances multiply in whatever order the surfaces are found.
@@ -53,7 +69,7 @@ bool isPassed(int triangle, vec2 barycentrics, float t, inout Passage passage)
 }
 
 // Moeller and Trumbore 1997; a degenerate triangle gives NaN, which fails every comparison.
-void testLeaf(uint leaf, vec3 origin, vec3 direction, bool isSeeThrough, inout Hit hit, inout Passage passage)
+void testLeaf(uint leaf, vec3 origin, vec3 direction, uint purpose, inout Hit hit, inout Passage passage)
 {
     int last = int(leaf >> 3) + int(leaf & 7u);
     for (int i = int(leaf >> 3); i < last; ++i)
@@ -69,16 +85,16 @@ void testLeaf(uint leaf, vec3 origin, vec3 direction, bool isSeeThrough, inout H
         float t = dot(e2, q) * scale;
         // A hair wider than the triangle: rounding must not open cracks between neighbours.
         bool isHit = min(uv.x, uv.y) >= -kEdge && uv.x + uv.y <= 1.0 + kEdge && t > 0.0 && t < hit.t;
-        if (kHasBlended && isSeeThrough && isBlended(i))
+        if (kHasBlended && purpose == kLight && isBlended(i))
             isHit = isHit && !isPassed(i, uv, t, passage);
         else if (kHasAlphaMask)
-            isHit = isHit && !isCutOut(i, uv);
+            isHit = isHit && ((purpose == kSight && isGlass(i)) || !isCutOut(i, uv));
         if (isHit) hit = Hit(i, t, uv);
     }
 }
 
-// Nearest hit in (0; tMax), or with `isAnyEnough` the first that is found. `isSeeThrough`: of what stops light.
-Hit traceRay(vec3 origin, vec3 direction, float tMax, bool isAnyEnough, bool isSeeThrough, inout Passage passage)
+// Nearest hit in (0; tMax), or with `isAnyEnough` the first that is found.
+Hit traceRay(vec3 origin, vec3 direction, float tMax, bool isAnyEnough, uint purpose, inout Passage passage)
 {
     vec3 inverse = safeInverse(direction);
     vec3 shifted = -origin * inverse;
@@ -105,24 +121,24 @@ Hit traceRay(vec3 origin, vec3 direction, float tMax, bool isAnyEnough, bool isS
             node = isInside && b.w == 0u ? node + 1 : first + int(a.w);
         }
         if (leaf == 0u) break;
-        testLeaf(leaf, origin, direction, isSeeThrough, hit, passage);
+        testLeaf(leaf, origin, direction, purpose, hit, passage);
         if (isAnyEnough && hit.triangle != kNoHit) break;
     }
     return hit;
 }
 
-// What a camera or a bounce sees: a blended surface, where its alpha is one half or more.
-Hit traceRay(vec3 origin, vec3 direction, float tMax)
+// What the camera or a bounce sees.
+Hit traceRay(vec3 origin, vec3 direction, float tMax, uint purpose)
 {
     Passage unused = Passage(vec3(1.0), kNever);
-    return traceRay(origin, direction, tMax, false, false, unused);
+    return traceRay(origin, direction, tMax, false, purpose, unused);
 }
 
 // Of light on its way through (0; tMax); with `isAnyEnough` .distance is that of any opaque surface.
 Passage tracePassage(vec3 origin, vec3 direction, float tMax, bool isAnyEnough)
 {
     Passage passage = Passage(vec3(1.0), kNever);
-    Hit hit = traceRay(origin, direction, tMax, isAnyEnough, true, passage);
+    Hit hit = traceRay(origin, direction, tMax, isAnyEnough, kLight, passage);
     return hit.triangle == kNoHit ? passage : Passage(vec3(0.0), hit.t);
 }
 

@@ -150,6 +150,12 @@ void App::runTracing(const ScriptCommand& command)
     case Verb::Bounces:
         state.bounces = std::min(uint32_t(number), 64u);
         return;
+    case Verb::Psr:
+        state.hasPsr = command.numbers[0] != 0.0;
+        return;
+    case Verb::Taa:
+        state.hasTemporalAa = command.numbers[0] != 0.0;
+        return;
     case Verb::Sun:
         state.sun = {number, second};
         return;

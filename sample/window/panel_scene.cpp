@@ -47,5 +47,7 @@ void drawTracingPart(Viewer& viewer)
         state.checkerboard = nrd::CheckerboardMode(checkerboard);
     ImGui::SliderFloat("roughening", &state.roughening, 0.0f, 1.0f);
     ImGui::Checkbox("jitter", &state.hasJitter);
+    ImGui::Checkbox("temporal anti-aliasing", &state.hasTemporalAa);
+    ImGui::Checkbox("follow mirrors (PSR)", &state.hasPsr);
 }
 } // namespace sample

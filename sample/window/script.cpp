@@ -22,6 +22,8 @@ constexpr VerbRow kVerbs[] = {
     {Verb::Lobes,        "lobes",        ArgumentKind::Text,    "WHICH",     "as --lobes"},
     {Verb::Checkerboard, "checkerboard", ArgumentKind::Text,    "COLOR",     "as --checkerboard"},
     {Verb::Bounces,      "bounces",      ArgumentKind::Count,   "N",         "as --bounces"},
+    {Verb::Psr,          "psr",          ArgumentKind::Switch,  "on|off",    "follow mirrors, as --psr"},
+    {Verb::Taa,          "taa",          ArgumentKind::Switch,  "on|off",    "temporal anti-aliasing"},
     {Verb::Camera,       "camera",       ArgumentKind::Text,    "MODE",      "scene, fly or orbit"},
     {Verb::Turn,         "turn",         ArgumentKind::Numbers, "X,Y",       "degrees to the right and down"},
     {Verb::Pick,         "pick",         ArgumentKind::Numbers, "X,Y",       "pick a pixel of the picture"},

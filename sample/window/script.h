@@ -30,6 +30,8 @@ enum class Verb : uint8_t
     Lobes,
     Checkerboard,
     Bounces,
+    Psr,
+    Taa,
     Camera,
     Turn,
     Pick,

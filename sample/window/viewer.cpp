@@ -36,6 +36,8 @@ Viewer::Viewer(const engine::Device& device, Stage stage, const Options& options
     state.bounces = m_options.bounces;
     state.roughening = m_options.roughening;
     state.hasJitter = m_options.hasJitter;
+    state.hasPsr = m_options.hasPsr;
+    state.hasTemporalAa = m_options.hasTemporalAa;
     state.lobes = *m_options.lobes;
     state.checkerboard = m_options.checkerboard;
     const std::optional<SunAngles> sun = sunOf(m_stage.scene);
@@ -50,15 +52,17 @@ void Viewer::build()
     m_options.sets.clear(); // the stages are made here, each with its own settings
     m_options.settings.clear();
     m_options.lobes = state.lobes;
+    m_options.hasPsr = state.hasPsr;
+    m_options.hasTemporalAa = state.hasTemporalAa;
     m_options.checkerboard = state.checkerboard;
     m_options.hasShadowSignal = state.sides[0].set.shadow || (state.isCompared && state.sides[1].set.shadow);
     m_renderer.reset();
     m_renderer = std::make_unique<Renderer>(m_device, m_stage, m_options);
     m_display.emplace(m_device, m_options.width, m_options.height, m_slotCount);
     m_reference.emplace(m_device, m_options.width, m_options.height);
-    m_renderer->setStage(kNoisy,
-                         std::make_unique<DenoiseStage>(
-                             m_device, denoiseDesc(m_options, m_stage.scene, parseDenoiserSets("NONE").front())));
+    DenoiseDesc noisy = denoiseDesc(m_options, m_stage.scene, parseDenoiserSets("NONE").front());
+    noisy.hasTemporalAa = false;
+    m_renderer->setStage(kNoisy, std::make_unique<DenoiseStage>(m_device, noisy));
     followSide(0, true);
     if (state.isCompared) followSide(1, true);
     m_applied = state;
@@ -128,7 +132,8 @@ void Viewer::followTracer()
     if (state.lobes != Lobes::Both) state.checkerboard = nrd::CheckerboardMode::OFF; // one path per pixel already
     const bool hasShadow = state.sides[0].set.shadow || (state.isCompared && state.sides[1].set.shadow);
     const bool isOther = state.lobes != m_applied.lobes || state.checkerboard != m_applied.checkerboard ||
-                         hasShadow != m_options.hasShadowSignal;
+                         hasShadow != m_options.hasShadowSignal || state.hasPsr != m_applied.hasPsr ||
+                         state.hasTemporalAa != m_applied.hasTemporalAa;
     if (isOther) build();
     m_options.hasJitter = state.hasJitter;
     m_renderer->tracer().setLimits(state.bounces, state.roughening);

@@ -22,19 +22,20 @@ template <Image FrameImages::*Member> Image* tracedShadow(Viewer& viewer, size_t
     return viewer.hasShadowSignal() ? traced<Member>(viewer, side) : nullptr;
 }
 template <Lobe kLobe> Image* denoisedLobe(Viewer& viewer, size_t side) { return viewer.side(side).denoised(kLobe); }
-Image* denoised(Viewer& viewer, size_t side) { return &viewer.side(side).composed(); }
+Image* denoised(Viewer& viewer, size_t side) { return &viewer.side(side).shown(); }
+Image* composed(Viewer& viewer, size_t side) { return &viewer.side(side).composed(); }
 Image* denoisedShadow(Viewer& viewer, size_t side) { return viewer.side(side).denoisedShadow(); }
 Image* noisy(Viewer& viewer, size_t) { return &viewer.noisy().composed(); }
 Image* overlay(Viewer& viewer, size_t side)
 {
     return hasOverlay(viewer.side(side).set().lobes->family) ? viewer.side(side).overlay() : nullptr;
 }
-Image* overlaid(Viewer& viewer, size_t side) { return overlay(viewer, side) ? denoised(viewer, side) : nullptr; }
+Image* overlaid(Viewer& viewer, size_t side) { return overlay(viewer, side) ? composed(viewer, side) : nullptr; }
 Image* reference(Viewer& viewer, size_t)
 {
     return viewer.reference().sampleCount() > 0 ? &viewer.reference().composed() : nullptr;
 }
-Image* differing(Viewer& viewer, size_t side) { return reference(viewer, side) ? denoised(viewer, side) : nullptr; }
+Image* differing(Viewer& viewer, size_t side) { return reference(viewer, side) ? composed(viewer, side) : nullptr; }
 Image* none(Viewer&, size_t) { return nullptr; }
 
 // clang-format off

@@ -344,6 +344,7 @@ void NRD_MaterialFactors(vec3 normal, vec3 view, vec3 albedo, vec3 F0, float rou
 #include "nrd_cavity.glsl"
 #include "nrd_lobe_trimming.glsl"
 #include "nrd_strands.glsl"
+#include "nrd_unfold.glsl"
 #include "nrd_sigma.glsl"
 
 #endif

@@ -88,6 +88,28 @@ TEST_CASE("blended materials let light through and are seen from one half on", "
     CHECK(material.alphaCutoff == 0.5f);
 }
 
+TEST_CASE("glass transmits at least half, is solid where it has a thickness, and bends by its index", "[unit]")
+{
+    const auto load = [](double transmission, double thickness)
+    {
+        test::GltfFile file = test::makeTriangle();
+        file.json["materials"] = {{{"pbrMetallicRoughness", {{"metallicFactor", 0.0}}},
+                                   {"extensions",
+                                    {{"KHR_materials_transmission", {{"transmissionFactor", transmission}}},
+                                     {"KHR_materials_volume", {{"thicknessFactor", thickness}}},
+                                     {"KHR_materials_ior", {{"ior", 1.33}}}}}}};
+        file.json["extensionsRequired"] = {"KHR_materials_transmission", "KHR_materials_volume", "KHR_materials_ior"};
+        const test::TemporaryFolder folder;
+        file.writeBinary(folder / "glass.glb");
+        return loadGltf(folder / "glass.glb").materials[0];
+    };
+    CHECK(load(1.0, 0.1).isGlass);
+    CHECK(load(1.0, 0.1).isSolidGlass);
+    CHECK(load(1.0, 0.1).ior == Approx(1.33f));
+    CHECK_FALSE(load(1.0, 0.0).isSolidGlass);
+    CHECK_FALSE(load(0.4, 0.1).isGlass);
+}
+
 TEST_CASE("a light's size is in its extras, where it makes sense", "[unit]")
 {
     for (const auto& [extras, radius] : {std::pair(R"({"radius": 0.3})", 0.3f), std::pair(R"({"radius": -1})", 0.05f),

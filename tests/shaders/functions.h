@@ -61,6 +61,10 @@
 #define FN_DOMINANT 113           // c.xyz N, c.w roughness, d.xyz V
 #define FN_REFERENCE_NORMAL 114   // c = V, roughness; d = N, viewZ; e to h neighbours' d
 #define FN_UNPACK_RELAX_SH 115    // -> c0, chroma, history length; c1, sharpness
+// Of an unfolding: a.xyz position, f.xyz direction.
+#define FN_UNFOLD 116        // b.xyz hit, c.xyz N of a mirror; d, e of the next -> position; direction
+#define FN_UNFOLD_MOTION 117 // and f.xyz motion, g.xyz the first mirror's, h.xyz its N before -> motion
+#define FN_UNFOLD_BEND 118   // b.xyz hit, c.xyz from, d.xyz to -> position; direction
 
 #define FN_FIRST_OF_SHADOW 200
 #define FN_PENUMBRA 200      // a = hitDist, tangent, distance to light, size; b.xyz colour -> sun, local; packed

@@ -23,6 +23,32 @@ vec2 rejitter(Arguments v)
     return NRD_SG_ReJitter(diffuse, specular, v.c.xyz, v.a.w, neighborhood(v));
 }
 
+// Two mirrors, the second one at rest.
+NRD_Unfolding unfolding(Arguments v, vec3 hit, vec3 normal)
+{
+    NRD_Unfolding u = NRD_Unfolding_AddMirror(NRD_Unfolding_Begin(), hit, NRD_NormalizeOrZero(normal));
+    return NRD_Unfolding_AddMirror(u, v.d.xyz, NRD_NormalizeOrZero(v.e.xyz));
+}
+
+Results unfold(NRD_Unfolding u, Arguments v)
+{
+    return results(vec4(NRD_Unfolding_GetPosition(u, v.a.xyz), 0.0),
+                   vec4(NRD_Unfolding_GetDirection(u, v.f.xyz), 0.0));
+}
+
+vec3 unfoldedMotion(Arguments v)
+{
+    NRD_Unfolding now = unfolding(v, v.b.xyz, v.c.xyz);
+    NRD_Unfolding before = unfolding(v, v.b.xyz + v.g.xyz, v.h.xyz);
+    return NRD_Unfolding_GetMotion(now, before, v.a.xyz, v.f.xyz);
+}
+
+Results bend(Arguments v)
+{
+    vec3 from = NRD_NormalizeOrZero(v.c.xyz), to = NRD_NormalizeOrZero(v.d.xyz);
+    return unfold(NRD_Unfolding_AddBend(NRD_Unfolding_Begin(), v.b.xyz, from, to), v);
+}
+
 Results evaluate(Arguments v)
 {
     Results r = results(vec4(0.0, 0.0, 0.0, 0.0), vec4(0.0, 0.0, 0.0, 0.0));
@@ -63,6 +89,9 @@ Results evaluate(Arguments v)
     case FN_REFERENCE_NORMAL:
         r.first.xyz = NRD_GetReferenceNormal(neighborhood(v), v.c.xyz, v.c.w);
         break;
+    case FN_UNFOLD: r = unfold(unfolding(v, v.b.xyz, v.c.xyz), v); break;
+    case FN_UNFOLD_MOTION: r.first.xyz = unfoldedMotion(v); break;
+    case FN_UNFOLD_BEND: r = bend(v); break;
     case FN_DOMINANT: r.first.xyz = NRD_DominantDirection(v.c.xyz, v.d.xyz, v.c.w); break;
     }
     return r;

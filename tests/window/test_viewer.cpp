@@ -250,6 +250,27 @@ TEST_CASE("tracing, lights and size can be changed between frames", "[gpu]")
     CHECK(device().validationMessageCount() == 0);
 }
 
+TEST_CASE("mirrors are followed and edges smoothed as soon as that is asked for", "[gpu]")
+{
+    Viewer viewer = makeViewer("mirror", "REBLUR_DIFFUSE_SPECULAR");
+    viewer.state.animationSpeed = 0.0f;
+    CHECK(viewer.advance(kFrame));
+    viewer.state.picked = glm::ivec2(16, 8); // in the mirror
+    const float mirror = viewer.readPicked().viewZ;
+    viewer.state.hasPsr = true;
+    CHECK(viewer.advance(kFrame));
+    CHECK(viewer.readPicked().viewZ < mirror - 1.0f); // what it shows lies behind it
+    const std::string aliased = show(viewer);
+    viewer.state.hasTemporalAa = true;
+    for (int k = 0; k < 6; ++k) viewer.advance(kFrame);
+    CHECK(show(viewer) != aliased);
+    CHECK(&viewer.side(0).shown() != &viewer.side(0).composed());
+    viewer.state.hasPsr = viewer.state.hasTemporalAa = false;
+    CHECK(viewer.advance(kFrame));
+    CHECK(viewer.readPicked().viewZ == Approx(mirror));
+    CHECK(device().validationMessageCount() == 0);
+}
+
 TEST_CASE("what the viewer records is a capture", "[gpu]")
 {
     const test::TemporaryFolder folder;
