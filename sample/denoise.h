@@ -2,8 +2,10 @@
 #pragma once
 #include "compose.h"
 #include "denoiser_set.h"
+#include "retrace.h"
 #include "shadow_signal.h"
 
+#include <functional>
 #include <nrd/integration.h>
 
 namespace sample
@@ -20,6 +22,7 @@ struct DenoiseDesc
     bool hasShadowSignal = false;        // as the tracer; a set without a denoiser of it shows it noisy
     bool isTimed = false;                // fills timings()
     bool hasOverlay = false;             // overlay() exists, if the denoiser has one
+    bool hasConfidence = false;          // REBLUR and RELAX are told where light has changed; needs DenoiseFrame::retrace
 };
 
 /// What changes from frame to frame.
@@ -30,6 +33,7 @@ struct DenoiseFrame
     float deltaTimeMs = 16.667f;             // milliseconds since the frame before
     bool isCut = false;                      // no history
     const SceneLight* shadowLight = nullptr; // of the shadow signal; null without
+    Retrace* retrace = nullptr;              // of the last frame; null without confidence
 };
 
 class DenoiseStage
@@ -56,6 +60,9 @@ public:
     /// RGBA8: the validation overlay, written while enableValidation asks for it. Null without one.
     engine::Image* overlay() { return m_overlay ? &*m_overlay : nullptr; }
 
+    /// R8, a texel per tile: how far the history of the lobe was trusted. Null without confidence.
+    engine::Image* confidence(Lobe lobe);
+
     /// All 0 without denoiser.
     nrd::MemoryStatistics memory() const;
     double memoryMiB() const { return double(memory().total) / (1024.0 * 1024.0); }
@@ -68,6 +75,8 @@ private:
     void applyFamilySettings();
     nrd::CommonSettings settingsOf(const DenoiseFrame& frame) const;
     std::vector<SlotImage> slots(FrameImages& images);
+    void makeConfidence(VkCommandBuffer cmd, Retrace& retrace);
+    void use(const std::vector<SlotImage>& images, const std::function<nrd::Result(nrd::NrdUserPool&)>& record);
     void beginFrame(const DenoiseFrame& frame);
     void packGuides(VkCommandBuffer cmd, FrameImages& images);
     void denoiseSignals(VkCommandBuffer cmd, FrameImages& images, const DenoiseFrame& frame);
@@ -83,6 +92,7 @@ private:
     std::array<std::optional<LobeSignal>, 2> m_lobes;
     std::optional<ShadowSignal> m_shadow;
     std::optional<engine::Image> m_overlay;
+    std::array<std::optional<engine::Image>, 2> m_confidences; // by lobe
     engine::ComputePipeline m_packGuides;
     VkDescriptorSet m_packGuidesSet = VK_NULL_HANDLE;
     ComposePass m_compose;

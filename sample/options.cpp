@@ -129,6 +129,8 @@ void addLobes(CLI::App& app, Options& o)
            "A field of the common or the denoiser's settings, such as maxBlurRadius=20; may be repeated")
         ->allow_extra_args(false) // or SCENE after it would be taken for a setting
         ->option_text("KEY=VALUE");
+    app.add_flag("--confidence", o.hasConfidence,
+                 "Trace one in 25 of last frame's paths again, so that REBLUR and RELAX know where light has changed");
     addNamed(
         app, "--lobes", kLobeNames, o.lobes,
         "both traces a path for each lobe of a pixel; probabilistic traces one, for the lobe that chance picks, and "

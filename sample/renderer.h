@@ -86,6 +86,7 @@ private:
     std::optional<Camera> m_framing;          // of a scene without camera
     std::optional<CaptureLight> m_firstLight; // of the shadow signal, before the first frame
     PathTracer m_tracer;
+    std::optional<Retrace> m_retrace;
     std::vector<std::unique_ptr<DenoiseStage>> m_stages; // by set
     engine::FrameRing m_ring;
     DenoiseFrame m_frame;

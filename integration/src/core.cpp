@@ -95,7 +95,8 @@ UniqueInstance Core::createInstance()
         for (uint32_t i = 0; i < m_instanceDesc.denoisersNum; i++)
             m_denoisers.push_back({m_instanceDesc.denoisers[i], {}});
     std::vector<DenoiserDesc> denoisers;
-    for (const DenoiserState& denoiser : m_denoisers) denoisers.push_back(denoiser.desc);
+    for (const DenoiserState& denoiser : m_denoisers)
+        if (!denoiser.isConfidence()) denoisers.push_back(denoiser.desc);
 
     InstanceCreationDesc desc = m_instanceDesc;
     if (desc.denoisers || !denoisers.empty()) desc.denoisers = denoisers.data();
@@ -103,7 +104,11 @@ UniqueInstance Core::createInstance()
     Instance* instance = nullptr;
     const Result result = CreateInstance(desc, instance);
     if (result != Result::SUCCESS) throw Refusal(result, m_creationMessage.text);
-    return UniqueInstance(instance);
+    UniqueInstance created(instance);
+    const bool isKnown = !m_denoisers.empty() && m_denoisers.back().isConfidence();
+    if (desc.confidenceTileSize > 0 && !isKnown)
+        m_denoisers.push_back({{kConfidenceIdentifier, Denoiser::MAX_NUM, desc.confidenceTileSize, false}, {}});
+    return created;
 }
 
 void Core::createFrameResources()
@@ -174,7 +179,7 @@ void Core::resize(uint32_t width, uint32_t height)
             [&](const auto& settings)
             {
                 if constexpr (!std::is_same_v<std::decay_t<decltype(settings)>, std::monostate>)
-                    check(SetDenoiserSettings(*instance, denoiser.desc.identifier, settings));
+                    check(setSettings(*instance, denoiser.desc.identifier, settings));
             },
             denoiser.settings);
     std::unique_ptr<Pools> pools = createPools(*instance, width, height);
@@ -241,6 +246,9 @@ Core::DenoiserState& Core::find(Identifier identifier)
 {
     for (DenoiserState& denoiser : m_denoisers)
         if (denoiser.desc.identifier == identifier) return denoiser;
+    if (identifier == kConfidenceIdentifier)
+        throw Refusal(Result::INVALID_ARGUMENT,
+                      "confidenceTileSize is 0, must be in [1; 8] for confidence to be made");
     throw Refusal(Result::INVALID_ARGUMENT, sentence("identifier %u names no denoiser of this instance", identifier));
 }
 

@@ -67,6 +67,7 @@ struct VariantOfFamily
 };
 
 VariantOfFamily findVariant(Denoiser denoiser, Keeps keeps = Keeps::History);
+const char* nameOf(const Variant& variant); // of the denoiser, or of what is none
 inline Keeps keptBy(const DenoiserDesc& desc) { return desc.hasHistory ? Keeps::History : Keeps::Nothing; }
 Program expand(const VariantOfFamily& which, NormalEncoding encoding);
 Format guideFormat(NormalEncoding encoding);
