@@ -95,10 +95,9 @@ void DenoiseStage::createImages()
     if (m_desc.hasOverlay && !m_desc.set.isNone()) m_overlay = create("validation overlay", VK_FORMAT_R8G8B8A8_UNORM);
     for (auto& confidence : m_confidences)
         if (m_desc.hasConfidence)
-            confidence = engine::Image(m_device, {"history confidence",
-                                                  engine::groupCount(m_desc.width, Retrace::kTileSize),
-                                                  engine::groupCount(m_desc.height, Retrace::kTileSize),
-                                                  VK_FORMAT_R8_UNORM});
+            confidence =
+                engine::Image(m_device, {"history confidence", engine::groupCount(m_desc.width, Retrace::kTileSize),
+                                         engine::groupCount(m_desc.height, Retrace::kTileSize), VK_FORMAT_R8_UNORM});
     if (m_desc.set.shadow)
         m_shadow.emplace(m_device,
                          ShadowSignalDesc{m_desc.set.shadow->denoiser == nrd::Denoiser::SIGMA_SHADOW_TRANSLUCENCY,

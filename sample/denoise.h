@@ -22,7 +22,7 @@ struct DenoiseDesc
     bool hasShadowSignal = false;        // as the tracer; a set without a denoiser of it shows it noisy
     bool isTimed = false;                // fills timings()
     bool hasOverlay = false;             // overlay() exists, if the denoiser has one
-    bool hasConfidence = false;          // REBLUR and RELAX are told where light has changed; needs DenoiseFrame::retrace
+    bool hasConfidence = false; // REBLUR and RELAX are told where light has changed; needs DenoiseFrame::retrace
 };
 
 /// What changes from frame to frame.

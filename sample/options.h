@@ -40,7 +40,7 @@ struct Options
     uint32_t bounces = 4;
     float roughening = 0.5f; // [0; 1], see TracerDesc
     bool hasJitter = false;
-    bool hasConfidence = false; // a few of last frame's paths are traced again
+    bool hasConfidence = false;       // a few of last frame's paths are traced again
     std::filesystem::path screenshot; // of the last frame, .png or .exr
     std::filesystem::path noisyScreenshot;
     std::filesystem::path referenceScreenshot;

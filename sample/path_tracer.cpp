@@ -21,7 +21,8 @@ struct ModeRow
     size_t targetCount; // images it writes
 };
 constexpr uint32_t kFrameMode = 0, kReferenceMode = 1, kPlainMode = 2, kRetraceMode = 3;
-constexpr ModeRow kModes[] = {{Shader::TraceFrame, 15}, {Shader::TraceReference, 3}, {Shader::TracePlain, 2}, {Shader::TraceAgain, 1}};
+constexpr ModeRow kModes[] = {
+    {Shader::TraceFrame, 15}, {Shader::TraceReference, 3}, {Shader::TracePlain, 2}, {Shader::TraceAgain, 1}};
 
 // What the tracer is asked for applies to frames; a reference has all samples, plain paths have nothing apart.
 TracerDesc descOfMode(TracerDesc desc, uint32_t mode)
@@ -285,8 +286,7 @@ void PathTracer::record(VkCommandBuffer cmd, uint32_t mode, const std::vector<en
         program.pipeline->writeSet(set, bindings);
     else
         set = program.pipeline->createSet(bindings);
-    const uint32_t groups =
-        engine::groupCount(c.tiles.x, kGroupSize) * engine::groupCount(c.tiles.y, kGroupSize);
+    const uint32_t groups = engine::groupCount(c.tiles.x, kGroupSize) * engine::groupCount(c.tiles.y, kGroupSize);
     program.pipeline->dispatch(cmd, set, {}, {groups, 1, 1});
 }
 } // namespace sample

@@ -98,7 +98,8 @@ public:
     void recordPlain(VkCommandBuffer cmd, const View& view, const ReferenceBatch& batch);
 
     /// Traces the paths of the frame that `view` showed once more, through the scene as it is now: of each tile of
-    /// `tileSize` pixels a side the one of NRD_GetConfidencePixel. `target` has a texel per tile; see IN_RETRACED_SAMPLE.
+    /// `tileSize` pixels a side the one of NRD_GetConfidencePixel. `target` has a texel per tile; see
+    /// IN_RETRACED_SAMPLE.
     void recordRetrace(VkCommandBuffer cmd, const View& view, engine::Image& target, uint32_t tileSize);
 
     /// What may change from frame to frame; the other fields of the description are final.

@@ -16,8 +16,7 @@ struct StoreConstants
 } // namespace
 
 Retrace::Retrace(const engine::Device& device, uint32_t width, uint32_t height)
-    : m_size(width, height),
-      m_tiles(engine::groupCount(width, kTileSize), engine::groupCount(height, kTileSize))
+    : m_size(width, height), m_tiles(engine::groupCount(width, kTileSize), engine::groupCount(height, kTileSize))
 {
     const auto create = [&](const char* name, VkFormat format) {
         return engine::Image(device, {name, m_tiles.x, m_tiles.y, format});

@@ -247,8 +247,7 @@ Core::DenoiserState& Core::find(Identifier identifier)
     for (DenoiserState& denoiser : m_denoisers)
         if (denoiser.desc.identifier == identifier) return denoiser;
     if (identifier == kConfidenceIdentifier)
-        throw Refusal(Result::INVALID_ARGUMENT,
-                      "confidenceTileSize is 0, must be in [1; 8] for confidence to be made");
+        throw Refusal(Result::INVALID_ARGUMENT, "confidenceTileSize is 0, must be in [1; 8] for confidence to be made");
     throw Refusal(Result::INVALID_ARGUMENT, sentence("identifier %u names no denoiser of this instance", identifier));
 }
 

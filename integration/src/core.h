@@ -55,7 +55,8 @@ private:
     {
         DenoiserDesc desc;
         // As set last, for a new instance.
-        std::variant<std::monostate, ReblurSettings, RelaxSettings, SigmaSettings, ReferenceSettings, ConfidenceSettings>
+        std::variant<std::monostate, ReblurSettings, RelaxSettings, SigmaSettings, ReferenceSettings,
+                     ConfidenceSettings>
             settings;
         uint64_t lastFrame = 0;       // that it was denoised in
         bool isHistoryBroken = false; // its last request was planned, but not recorded

@@ -118,8 +118,8 @@ void checkDenoisers(Error& error, const InstanceCreationDesc& desc)
         if (!error && !findVariant(denoiser.denoiser, keptBy(denoiser)).family)
         {
             error.result = Result::INVALID_ARGUMENT;
-            error.text << "InstanceCreationDesc::denoisers[" << i << "].hasHistory is 0, expected 1: "
-                       << toString(denoiser.denoiser) << " does not work without";
+            error.text << "InstanceCreationDesc::denoisers[" << i
+                       << "].hasHistory is 0, expected 1: " << toString(denoiser.denoiser) << " does not work without";
         }
         if (!error && (denoiser.resolutionDivisor < 1 || denoiser.resolutionDivisor > 8))
         {

@@ -5,7 +5,6 @@
 #include "renderer.h"
 #include "scene_cornell.h"
 #include "scene_shapes.h"
-#include <algorithm>
 
 using namespace sample;
 
@@ -14,6 +13,7 @@ namespace confidence
 namespace
 {
 constexpr uint32_t kReferenceSamples = 256;
+constexpr const char* kDenoisers = "REBLUR_DIFFUSE_SPECULAR,RELAX_DIFFUSE_SPECULAR";
 
 engine::Device& device()
 {
@@ -27,20 +27,27 @@ engine::Device& device()
     return instance;
 }
 
-// Nothing moves.
+void addLight(Scene& scene, const glm::vec3& position, const glm::vec3& intensity, float radius)
+{
+    PunctualLight light;
+    light.intensity = intensity;
+    light.radius = radius;
+    Node node = makeNode("light", kNone, position, 0.0f);
+    node.light = int(scene.lights.size());
+    scene.lights.push_back(light);
+    scene.nodes.push_back(node);
+}
+
+// Nothing moves, and no surface shines.
 Stage makeStage()
 {
     Stage stage;
     stage.scene = makeCornellBox();
     stage.scene.channels.clear();
     stage.scene.duration = 0.0f;
-    PunctualLight light;
-    light.intensity = glm::vec3(14.0f, 13.0f, 12.0f);
-    light.radius = 0.2f;
-    stage.scene.lights.push_back(light);
-    Node node = makeNode("light", kNone, glm::vec3(-1.6f, 1.8f, 1.4f), 0.0f);
-    node.light = 0;
-    stage.scene.nodes.push_back(node);
+    for (Material& material : stage.scene.materials) material.emission = glm::vec3(0.0f);
+    addLight(stage.scene, glm::vec3(-1.6f, 1.8f, 1.4f), glm::vec3(14.0f, 13.0f, 12.0f), 0.2f); // is switched off
+    addLight(stage.scene, glm::vec3(0.3f, 3.2f, 0.6f), glm::vec3(7.0f, 6.0f, 5.0f), 0.02f);
     return stage;
 }
 
@@ -70,55 +77,78 @@ std::optional<double> meanConfidence(DenoiseStage& stage, Lobe lobe)
     return sum / double(texels.size());
 }
 
+// Both denoisers with confidence, then both without.
+std::unique_ptr<Renderer> makeRenderer(const Stage& stage, Options& options)
+{
+    options.width = 96;
+    options.height = 64;
+    options.sets = parseDenoiserSets(kDenoisers);
+    options.hasConfidence = true;
+    settleDenoisers(options, stage.scene);
+    auto renderer = std::make_unique<Renderer>(device(), stage, options);
+    Options without = options;
+    without.hasConfidence = false;
+    for (size_t i = 0; i < options.sets.size(); ++i)
+        renderer->setStage(options.sets.size() + i, std::make_unique<DenoiseStage>(
+                                                        device(), denoiseDesc(without, stage.scene, options.sets[i])));
+    return renderer;
+}
+
 struct Recorded
 {
-    Picture composed;
     FrameFigures figures;
+    Picture composed;
 };
+
+Recorded recordFrame(DenoiseStage& stage, bool isSwitched)
+{
+    Recorded now;
+    now.figures.diffuse = meanConfidence(stage, Lobe::Diffuse);
+    now.figures.specular = meanConfidence(stage, Lobe::Specular);
+    if (isSwitched) now.composed = readComposed(stage);
+    return now;
+}
+
+Frames measure(std::vector<Recorded>& recorded, const Picture& reference)
+{
+    const Mask all(reference.pixelCount(), 1);
+    const Picture seen = toneMapped(reference), compressed = rangeCompressed(reference);
+    Frames frames;
+    for (Recorded& now : recorded)
+    {
+        if (now.composed.exists()) now.figures.rmse = rmse(toneMapped(now.composed), seen, all);
+        if (now.composed.exists()) now.figures.flip = flip(rangeCompressed(now.composed), compressed, all);
+        frames.push_back(now.figures);
+    }
+    return frames;
+}
 } // namespace
 
-std::vector<std::vector<FrameFigures>> runSwitchedLight(const std::string& denoisers, bool hasConfidence)
+std::vector<Comparison> runSwitchedLight()
 {
     Stage stage = makeStage();
     Options options;
-    options.width = 144;
-    options.height = 96;
-    options.sets = parseDenoiserSets(denoisers);
-    options.hasConfidence = hasConfidence;
-    settleDenoisers(options, stage.scene);
-    Renderer renderer(device(), stage, options);
-    std::vector<std::vector<Recorded>> recorded(options.sets.size());
+    const std::unique_ptr<Renderer> renderer = makeRenderer(stage, options);
+    const size_t count = options.sets.size();
+    std::vector<std::vector<Recorded>> recorded(2 * count);
     for (uint32_t frame = 0; frame < kSwitchFrame + kFramesAfter; ++frame)
     {
         if (frame == kSwitchFrame)
         {
             stage.scene.lights[0].intensity = glm::vec3(0.0f);
-            renderer.refreshScene();
+            renderer->refreshScene();
         }
-        renderer.renderFrame();
+        renderer->renderFrame();
         for (size_t i = 0; i < recorded.size(); ++i)
-        {
-            Recorded& now = recorded[i].emplace_back();
-            now.figures.diffuse = meanConfidence(renderer.stage(i), Lobe::Diffuse);
-            now.figures.specular = meanConfidence(renderer.stage(i), Lobe::Specular);
-            if (frame >= kSwitchFrame) now.composed = readComposed(renderer.stage(i));
-        }
+            recorded[i].push_back(recordFrame(renderer->stage(i), frame >= kSwitchFrame));
     }
     const Picture reference =
-        toPicture(composedOf(renderer.traceReference(renderer.readFrame(), kReferenceSamples, [](double) {})));
-    const Mask all(reference.pixelCount(), 1);
-    std::vector<std::vector<FrameFigures>> figures(recorded.size());
-    for (size_t i = 0; i < recorded.size(); ++i)
-        for (Recorded& now : recorded[i])
-        {
-            if (now.composed.exists())
-            {
-                now.figures.rmse = rmse(toneMapped(now.composed), toneMapped(reference), all);
-                now.figures.flip = flip(rangeCompressed(now.composed), rangeCompressed(reference), all);
-            }
-            figures[i].push_back(now.figures);
-        }
+        toPicture(composedOf(renderer->traceReference(renderer->readFrame(), kReferenceSamples, [](double) {})));
+    std::vector<Comparison> comparisons;
+    for (size_t i = 0; i < count; ++i)
+        comparisons.push_back(
+            {options.sets[i].lobes->name, measure(recorded[i], reference), measure(recorded[count + i], reference)});
     CHECK(device().validationMessageCount() == 0);
-    return figures;
+    return comparisons;
 }
 } // namespace confidence

@@ -29,7 +29,7 @@ nrdtest::ConfidenceTile tileAt(int x, int y)
 {
     const glm::dvec3 ray((2 * x + 1.0) / kWidth - 1.0, 1.0 - (2 * y + 1.0) / kHeight, 1.0);
     const double floor = ray.y < 0.0 ? -1.0 / ray.y : 1e9;
-    const bool isFloor = floor < 6.0, isSky = x > kWidth - 8 && y < 8;
+    const bool isFloor = floor<6.0, isSky = x> kWidth - 8 && y < 8;
     const double viewZ = double(toHalf(isSky ? kSky : float(std::min(floor, 6.0))));
     nrdtest::ConfidenceTile tile;
     tile.stored.z = tile.retraced.z = viewZ;
@@ -90,8 +90,8 @@ Outputs runSecond(const nrd::ConfidenceSettings& settings, const Inputs& inputs)
     return passes.run(inputs);
 }
 
-// Half floats round each pass's gradients and luminances by 2^-12 of themselves at the worst: after six of them a change
-// of up to 1 / sensitivity is off by 0.3 %; then 8 bits round by half a step. Normals of ten bits tilt planes.
+// Half floats round each pass's gradients and luminances by 2^-12 of themselves at the worst: after six of them a
+// change of up to 1 / sensitivity is off by 0.3 %; then 8 bits round by half a step. Normals of ten bits tilt planes.
 constexpr double kTolerance = 3.0 / 255.0;
 
 void requireEqual(const Outputs& outputs, const std::vector<glm::dvec2>& expected)
@@ -164,6 +164,7 @@ TEST_CASE("a frame without history is trusted in full, as is one in which nothin
 TEST_CASE("confidence images of another size than the tiles' are refused by name", "[gpu]")
 {
     Passes passes;
-    CHECK_THAT(passes.refusalOf(kWidth + 1), containing("IN_DIFF_CONFIDENCE: the image is 41 x 24, but the resource size "
-                                                        "is 40 x 24"));
+    CHECK_THAT(passes.refusalOf(kWidth + 1),
+               containing("IN_DIFF_CONFIDENCE: the image is 41 x 24, but the resource size "
+                          "is 40 x 24"));
 }

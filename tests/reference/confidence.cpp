@@ -62,12 +62,17 @@ std::vector<glm::dvec2> confidences(const ConfidenceInput& in)
     std::vector<Gradient> gradients;
     for (const ConfidenceTile& tile : in.tiles) gradients.push_back(gradientOf(in, tile));
     for (int pass = 1; pass <= in.blurPassNum; pass++) gradients = blur(in, gradients, pass);
-    std::vector<glm::dvec2> result;
-    for (const Gradient& g : gradients)
-    {
-        const glm::dvec2 change = g.difference / glm::max(g.luminance, in.minLuminance);
-        result.push_back(1.0 - glm::clamp(in.sensitivity * (change - in.tolerance), 0.0, 1.0));
-    }
+    std::vector<glm::dvec2> result(gradients.size(), glm::dvec2(1.0));
+    for (int i = 0; i < in.width * in.height; i++)
+        for (int neighbour = 0; neighbour < 9; neighbour++)
+        {
+            const int x = std::clamp(i % in.width + neighbour % 3 - 1, 0, in.width - 1);
+            const int y = std::clamp(i / in.width + neighbour / 3 - 1, 0, in.height - 1);
+            const Gradient& g = gradients[size_t(y * in.width + x)];
+            const glm::dvec2 change = g.difference / glm::max(g.luminance, in.minLuminance);
+            result[size_t(i)] =
+                glm::min(result[size_t(i)], 1.0 - glm::clamp(in.sensitivity * (change - in.tolerance), 0.0, 1.0));
+        }
     return result;
 }
 } // namespace nrdtest

@@ -105,8 +105,8 @@ struct ReblurSettings
 
     float fastHistoryClampingSigmaScale = 2.0f; // [1; 3] standard deviations
     // Radii are pixels at a rectangle of 1440 lines and scale with the square root of its height: fewer pixels average
-    // less noise away, but each spans more of the scene. The pre-pass is of use where most samples are missing or wrong;
-    // what it blurs no later pass brings back.
+    // less noise away, but each spans more of the scene. The pre-pass is of use where most samples are missing or
+    // wrong; what it blurs no later pass brings back.
     PrePassMode prePassMode = PrePassMode::AUTO;
     float diffusePrepassBlurRadius = 18.0f;         // [0; 256] pixels, 0 = off
     float specularPrepassBlurRadius = 36.0f;        // [0; 256] pixels, 0 = off
@@ -217,8 +217,9 @@ inline uint32_t GetMaxAccumulatedFrameNum(float seconds, float fps)
 }
 
 // What luminances of samples that were traced again say about history: confidence = 1 - saturate(sensitivity *
-// (change - tolerance)), change = mean |now - before| / max(mean max(now, before), minLuminance) of a neighbourhood.
-// A history whose light changes steadily settles at 1 / (sensitivity * change) frames.
+// (change - tolerance)), change = mean |now - before| / max(mean max(now, before), minLuminance) of a neighbourhood; of
+// a tile and those round it the least. A history whose light changes steadily settles at 1 / (sensitivity * change)
+// frames.
 struct ConfidenceSettings
 {
     float sensitivity = 4.0f;               // (0; 100]

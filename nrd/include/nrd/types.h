@@ -93,8 +93,8 @@ enum class ResourceType : uint32_t
     IN_STORED_SAMPLE,           // last frame's sample of the tile, see NRD_GetConfidencePixel
     IN_RETRACED_SAMPLE,         // the same path, by the same random numbers, through this frame's scene
     IN_STORED_NORMAL_ROUGHNESS, // last frame's IN_NORMAL_ROUGHNESS where that sample is
-    TRANSIENT_POOL, // may be reused by the application after the dispatches
-    PERMANENT_POOL, // history; not to be touched
+    TRANSIENT_POOL,             // may be reused by the application after the dispatches
+    PERMANENT_POOL,             // history; not to be touched
     MAX_NUM
 };
 

@@ -95,13 +95,7 @@ shared::ConfidenceConstants makeConfidenceConstants(const Request& request)
     return g;
 }
 
-const Family kHistoryConfidence = {ConfidenceSettings{},
-                            kVariants,
-                            kTextures,
-                            kPasses,
-                            sizeof(shared::ConfidenceConstants),
-                            false,
-                            fillConstants,
-                            advance,
-                            true};
+const Family kHistoryConfidence = {
+    ConfidenceSettings{}, kVariants, kTextures, kPasses, sizeof(shared::ConfidenceConstants), false,
+    fillConstants,        advance,   true};
 } // namespace nrd
