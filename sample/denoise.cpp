@@ -34,6 +34,14 @@ glm::vec2 occlusionWeights(const SampleDenoiser& denoiser)
     return lobes / std::max(lobes.x + lobes.y, 1.0f);
 }
 
+nrd::SPIRV findShader(void* userArg, const char* name)
+{
+    const ShaderModules& modules = *static_cast<const ShaderModules*>(userArg);
+    const auto found = modules.find(name);
+    if (found == modules.end()) return {};
+    return {found->second.data(), found->second.size() * sizeof(uint32_t)};
+}
+
 // Where the light is, unless the user said otherwise.
 nrd::SigmaSettings shadowSettings(const ReplaySettings& given, const SceneLight& light)
 {
@@ -127,6 +135,8 @@ void DenoiseStage::createIntegration()
     creation.framesInFlight = m_desc.framesInFlight;
     creation.createDefaultPipelines = true;
     creation.isGpuTimingEnabled = m_desc.isTimed;
+    creation.findShader = m_desc.shaders ? findShader : nullptr;
+    creation.findShaderArg = const_cast<ShaderModules*>(m_desc.shaders);
     std::vector<nrd::DenoiserDesc> denoisers;
     if (m_desc.set.lobes->family != Family::None) denoisers.push_back({kLobeDenoiser, m_desc.set.lobes->denoiser});
     if (m_desc.set.shadow) denoisers.push_back({kShadowDenoiser, m_desc.set.shadow->denoiser});
@@ -183,6 +193,15 @@ void DenoiseStage::setSettings(const ReplaySettings& settings, const std::vector
 nrd::MemoryStatistics DenoiseStage::memory() const
 {
     return m_integration.IsCreated() ? m_integration.GetMemoryStatistics() : nrd::MemoryStatistics{};
+}
+
+std::set<std::string> DenoiseStage::shaders() const
+{
+    std::set<std::string> names;
+    if (!m_integration.IsCreated()) return names;
+    const nrd::InstanceDesc& instance = nrd::GetInstanceDesc(*m_integration.GetInstance());
+    for (uint32_t i = 0; i < instance.pipelinesNum; ++i) names.insert(instance.pipelines[i].shaderIdentifier);
+    return names;
 }
 
 nrd::Timings DenoiseStage::timings() const

@@ -6,10 +6,15 @@
 #include "shadow_signal.h"
 
 #include <functional>
+#include <map>
 #include <nrd/integration.h>
+#include <set>
 
 namespace sample
 {
+/// SPIR-V in place of the library's, by the permutation's name.
+using ShaderModules = std::map<std::string, std::vector<uint32_t>>;
+
 struct DenoiseDesc
 {
     DenoiserSet set;
@@ -23,6 +28,7 @@ struct DenoiseDesc
     bool isTimed = false;                // fills timings()
     bool hasOverlay = false;             // overlay() exists, if the denoiser has one
     bool hasConfidence = false; // REBLUR and RELAX are told where light has changed; needs DenoiseFrame::retrace
+    const ShaderModules* shaders = nullptr; // must outlive the stage; null: the library's
 };
 
 /// What changes from frame to frame.
@@ -62,6 +68,9 @@ public:
 
     /// R8, a texel per tile: how far the history of the lobe was trusted. Null without confidence.
     engine::Image* confidence(Lobe lobe);
+
+    /// Names of the permutations its denoisers may run.
+    std::set<std::string> shaders() const;
 
     /// All 0 without denoiser.
     nrd::MemoryStatistics memory() const;

@@ -48,7 +48,9 @@ struct Options
     std::filesystem::path demo;    // folder
     uint32_t referenceSpp = 0;     // 0: no references
     ReferenceFrames referenceFrames;
-    std::filesystem::path script; // of the window
+    std::filesystem::path script;      // of the window
+    std::filesystem::path tests;       // folder; empty: none are run
+    std::filesystem::path testResults; // folder; empty: that of the tests
     std::string device;
     bool validation = false;
     bool isHeadless = false;

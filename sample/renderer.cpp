@@ -161,6 +161,11 @@ void Renderer::renderFrame()
     FrameInput input;
     input.time = double(m_nextFrame) / double(m_options.framesPerSecond);
     input.deltaTimeMs = 1000.0f / m_options.framesPerSecond;
+    renderFrame(input);
+}
+
+void Renderer::renderFrame(const FrameInput& input)
+{
     startFrame(input);
     m_ring.waitAll();
 }

@@ -40,6 +40,7 @@ public:
 
     /// Renders the next frame, starting with 0, and waits for it.
     void renderFrame();
+    void renderFrame(const FrameInput& input);
     /// Submits the next frame without waiting for it.
     void startFrame(const FrameInput& input);
     /// Replaces what denoises the picture `index`; null leaves the place empty. Waits for the device.

@@ -79,7 +79,9 @@ void Core::CreationMessage::report(void* userArg, Result, const char* text)
 
 Core::Core(rhi::Device& device, const IntegrationCreationDesc& desc, const InstanceCreationDesc& instanceDesc)
     : m_device(device), m_name(desc.name ? desc.name : "NRD"), m_desc(checked(desc)), m_instanceDesc(instanceDesc),
-      m_instance(createInstance()), m_pipelines(device, m_name.c_str(), description().pipelinesNum), m_views(device)
+      m_instance(createInstance()),
+      m_pipelines(device, m_name.c_str(), description().pipelinesNum, {desc.findShader, desc.findShaderArg}),
+      m_views(device)
 {
     m_desc.name = m_name.c_str();
     m_desc.native = {};

@@ -47,5 +47,6 @@ void drawTracingPart(Viewer& viewer)
         state.checkerboard = nrd::CheckerboardMode(checkerboard);
     ImGui::SliderFloat("roughening", &state.roughening, 0.0f, 1.0f);
     ImGui::Checkbox("jitter", &state.hasJitter);
+    ImGui::Checkbox("history confidence by re-traced samples", &state.hasConfidence);
 }
 } // namespace sample

@@ -37,6 +37,7 @@ enum class Verb : uint8_t
     Tone,
     Sun,
     Rotate,
+    Confidence,
     Speed,
     Pause,
     Step,
@@ -52,6 +53,11 @@ enum class Verb : uint8_t
     WindowShot,
     Capture,
     Sequence,
+    Test,
+    Reload,
+    Hold,
+    Release,
+    Cursor,
     Print,
     Quit
 };

@@ -51,6 +51,7 @@ struct ViewerState
     uint32_t bounces = 4;    // [1; 64]
     float roughening = 0.5f; // [0; 1]
     bool hasJitter = false;
+    bool hasConfidence = false;
     Lobes lobes = Lobes::Both;
     nrd::CheckerboardMode checkerboard = nrd::CheckerboardMode::OFF;
 };

@@ -63,6 +63,11 @@ struct IntegrationCreationDesc
     bool isGpuTimingEnabled = false;     // fills GetTimings()
     bool createDefaultPipelines = false; // those of the default settings in Create(), not at their first use
     bool isPassTracingEnabled = false;   // fills GetLastPass(); passes no longer overlap, so for finding faults only
+    // For the development of shaders: a module in place of the library's for the permutation of that name (see
+    // PipelineDesc::shaderIdentifier), or none (null words). Asked whenever a pipeline is made, in Create() and
+    // Denoise(); the module is read before the next call, and has the same interface.
+    SPIRV (*findShader)(void* userArg, const char* shaderIdentifier) = nullptr;
+    void* findShaderArg = nullptr;
 };
 
 /// How an image was left, or must be found, between two uses: what an image barrier names on that side. States of
