@@ -34,6 +34,14 @@ glm::vec2 occlusionWeights(const SampleDenoiser& denoiser)
     return lobes / std::max(lobes.x + lobes.y, 1.0f);
 }
 
+nrd::SPIRV findShader(void* userArg, const char* name)
+{
+    const ShaderModules& modules = *static_cast<const ShaderModules*>(userArg);
+    const auto found = modules.find(name);
+    if (found == modules.end()) return {};
+    return {found->second.data(), found->second.size() * sizeof(uint32_t)};
+}
+
 // Where the light is, unless the user said otherwise.
 nrd::SigmaSettings shadowSettings(const ReplaySettings& given, const SceneLight& light)
 {
@@ -70,6 +78,8 @@ engine::DeviceDesc denoiserDeviceDesc()
 DenoiseStage::DenoiseStage(const engine::Device& device, const DenoiseDesc& desc)
     : m_device(device), m_desc(desc), m_compose(device)
 {
+    const Family family = desc.set.lobes->family;
+    m_desc.hasConfidence &= family == Family::Reblur || family == Family::Relax;
     if (!desc.set.isNone()) createIntegration(); // first: it may be refused
     createImages();
     if (desc.hasTemporalAa) m_temporalAa.emplace(device, desc.width, desc.height);
@@ -92,6 +102,11 @@ void DenoiseStage::createImages()
     const SampleDenoiser& denoiser = *m_desc.set.lobes;
     if (denoiser.family == Family::Reference) m_signal = create("composed noisy", VK_FORMAT_R32G32B32A32_SFLOAT);
     if (m_desc.hasOverlay && !m_desc.set.isNone()) m_overlay = create("validation overlay", VK_FORMAT_R8G8B8A8_UNORM);
+    for (auto& confidence : m_confidences)
+        if (m_desc.hasConfidence)
+            confidence =
+                engine::Image(m_device, {"history confidence", engine::groupCount(m_desc.width, Retrace::kTileSize),
+                                         engine::groupCount(m_desc.height, Retrace::kTileSize), VK_FORMAT_R8_UNORM});
     if (m_desc.set.shadow)
         m_shadow.emplace(m_device,
                          ShadowSignalDesc{m_desc.set.shadow->denoiser == nrd::Denoiser::SIGMA_SHADOW_TRANSLUCENCY,
@@ -121,12 +136,15 @@ void DenoiseStage::createIntegration()
     creation.framesInFlight = m_desc.framesInFlight;
     creation.createDefaultPipelines = true;
     creation.isGpuTimingEnabled = m_desc.isTimed;
+    creation.findShader = m_desc.shaders ? findShader : nullptr;
+    creation.findShaderArg = const_cast<ShaderModules*>(m_desc.shaders);
     std::vector<nrd::DenoiserDesc> denoisers;
     if (m_desc.set.lobes->family != Family::None) denoisers.push_back({kLobeDenoiser, m_desc.set.lobes->denoiser});
     if (m_desc.set.shadow) denoisers.push_back({kShadowDenoiser, m_desc.set.shadow->denoiser});
     nrd::InstanceCreationDesc instance;
     instance.denoisers = denoisers.data();
     instance.denoisersNum = static_cast<uint32_t>(denoisers.size());
+    if (m_desc.hasConfidence) instance.confidenceTileSize = Retrace::kTileSize;
     check(m_integration.Create(creation, instance), "create the denoiser");
     applyFamilySettings();
 }
@@ -146,6 +164,12 @@ engine::Image* DenoiseStage::denoised(Lobe lobe)
 {
     std::optional<LobeSignal>& signal = m_lobes[static_cast<size_t>(lobe)];
     return signal ? &signal->values() : nullptr;
+}
+
+engine::Image* DenoiseStage::confidence(Lobe lobe)
+{
+    std::optional<engine::Image>& image = m_confidences[static_cast<size_t>(lobe)];
+    return image ? &*image : nullptr;
 }
 
 void DenoiseStage::setSettings(const ReplaySettings& settings, const std::vector<Assignment>& assignments)
@@ -172,6 +196,15 @@ nrd::MemoryStatistics DenoiseStage::memory() const
     return m_integration.IsCreated() ? m_integration.GetMemoryStatistics() : nrd::MemoryStatistics{};
 }
 
+std::set<std::string> DenoiseStage::shaders() const
+{
+    std::set<std::string> names;
+    if (!m_integration.IsCreated()) return names;
+    const nrd::InstanceDesc& instance = nrd::GetInstanceDesc(*m_integration.GetInstance());
+    for (uint32_t i = 0; i < instance.pipelinesNum; ++i) names.insert(instance.pipelines[i].shaderIdentifier);
+    return names;
+}
+
 nrd::Timings DenoiseStage::timings() const
 {
     return m_integration.IsCreated() ? m_integration.GetTimings() : nrd::Timings{};
@@ -180,6 +213,7 @@ nrd::Timings DenoiseStage::timings() const
 void DenoiseStage::record(VkCommandBuffer cmd, FrameImages& images, const DenoiseFrame& frame)
 {
     if (m_integration.IsCreated()) beginFrame(frame);
+    if (m_desc.hasConfidence) makeConfidence(cmd, *frame.retrace);
     if (m_lobes[0] || m_lobes[1] || m_shadow) denoiseSignals(cmd, images, frame);
     compose(cmd, images);
     if (m_desc.set.lobes->family == Family::Reference)
@@ -249,6 +283,7 @@ nrd::CommonSettings DenoiseStage::settingsOf(const DenoiseFrame& frame) const
     s.frameIndex = frame.view.frameIndex;
     s.accumulationMode = isCut ? nrd::AccumulationMode::CLEAR_AND_RESTART : nrd::AccumulationMode::CONTINUE;
     s.isSpecularMotionAvailable = m_desc.isSceneMoving;
+    s.isHistoryConfidenceAvailable = m_desc.hasConfidence;
     // Of other sets' settings this set has none.
     std::vector<Assignment> common;
     for (const Assignment& assignment : m_desc.assignments)
@@ -269,15 +304,38 @@ std::vector<SlotImage> DenoiseStage::slots(FrameImages& images)
         if (lobe) add(lobe->slots());
     if (m_shadow) add(m_shadow->slots());
     if (m_overlay) all.emplace_back(ResourceType::OUT_VALIDATION, &*m_overlay);
+    if (m_desc.hasConfidence)
+    {
+        all.emplace_back(ResourceType::IN_DIFF_CONFIDENCE, confidence(Lobe::Diffuse));
+        all.emplace_back(ResourceType::IN_SPEC_CONFIDENCE, confidence(Lobe::Specular));
+    }
     return all;
 }
 
+void DenoiseStage::makeConfidence(VkCommandBuffer cmd, Retrace& retrace)
+{
+    using nrd::ResourceType;
+    use({{ResourceType::IN_STORED_SAMPLE, &retrace.storedSample()},
+         {ResourceType::IN_RETRACED_SAMPLE, &retrace.retracedSample()},
+         {ResourceType::IN_STORED_NORMAL_ROUGHNESS, &retrace.storedNormalRoughness()},
+         {ResourceType::IN_DIFF_CONFIDENCE, confidence(Lobe::Diffuse)},
+         {ResourceType::IN_SPEC_CONFIDENCE, confidence(Lobe::Specular)}},
+        [&](nrd::NrdUserPool& pool) { return m_integration.ComputeConfidence(cmd, pool); });
+}
+
 void DenoiseStage::denoise(VkCommandBuffer cmd, const std::vector<nrd::Identifier>& identifiers,
-                           const std::vector<SlotImage>& all)
+                           const std::vector<SlotImage>& images)
+{
+    use(images, [&](nrd::NrdUserPool& pool)
+        { return m_integration.Denoise(cmd, identifiers.data(), static_cast<uint32_t>(identifiers.size()), pool); });
+}
+
+// As a user pool, whose entries say afterwards how the images were left.
+void DenoiseStage::use(const std::vector<SlotImage>& all, const std::function<nrd::Result(nrd::NrdUserPool&)>& record)
 {
     nrd::NrdUserPool pool;
     for (const auto& [slot, image] : all) pool[slot] = toUserImage(*image);
-    check(m_integration.Denoise(cmd, identifiers.data(), static_cast<uint32_t>(identifiers.size()), pool), "denoise");
+    check(record(pool), "denoise");
     for (const auto& [slot, image] : all)
     {
         const nrd::NrdImageState& state = pool[slot].state;

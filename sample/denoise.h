@@ -2,13 +2,20 @@
 #pragma once
 #include "compose.h"
 #include "denoiser_set.h"
+#include "retrace.h"
 #include "shadow_signal.h"
 #include "temporal_aa.h"
 
+#include <functional>
+#include <map>
 #include <nrd/integration.h>
+#include <set>
 
 namespace sample
 {
+/// SPIR-V in place of the library's, by the permutation's name.
+using ShaderModules = std::map<std::string, std::vector<uint32_t>>;
+
 struct DenoiseDesc
 {
     DenoiserSet set;
@@ -22,6 +29,8 @@ struct DenoiseDesc
     bool isTimed = false;                // fills timings()
     bool hasOverlay = false;             // overlay() exists, if the denoiser has one
     bool hasTemporalAa = false;          // shown() is anti-aliased, which takes jitter
+    bool hasConfidence = false; // REBLUR and RELAX are told where light has changed; needs DenoiseFrame::retrace
+    const ShaderModules* shaders = nullptr; // must outlive the stage; null: the library's
 };
 
 /// What changes from frame to frame.
@@ -32,6 +41,7 @@ struct DenoiseFrame
     float deltaTimeMs = 16.667f;             // milliseconds since the frame before
     bool isCut = false;                      // no history
     const SceneLight* shadowLight = nullptr; // of the shadow signal; null without
+    Retrace* retrace = nullptr;              // of the last frame; null without confidence
 };
 
 class DenoiseStage
@@ -60,6 +70,12 @@ public:
     /// RGBA8: the validation overlay, written while enableValidation asks for it. Null without one.
     engine::Image* overlay() { return m_overlay ? &*m_overlay : nullptr; }
 
+    /// R8, a texel per tile: how far the history of the lobe was trusted. Null without confidence.
+    engine::Image* confidence(Lobe lobe);
+
+    /// Names of the permutations its denoisers may run.
+    std::set<std::string> shaders() const;
+
     /// All 0 without denoiser.
     nrd::MemoryStatistics memory() const;
     double memoryMiB() const { return double(memory().total) / (1024.0 * 1024.0); }
@@ -72,6 +88,8 @@ private:
     void applyFamilySettings();
     nrd::CommonSettings settingsOf(const DenoiseFrame& frame) const;
     std::vector<SlotImage> slots(FrameImages& images);
+    void makeConfidence(VkCommandBuffer cmd, Retrace& retrace);
+    void use(const std::vector<SlotImage>& images, const std::function<nrd::Result(nrd::NrdUserPool&)>& record);
     void beginFrame(const DenoiseFrame& frame);
     void packGuides(VkCommandBuffer cmd, FrameImages& images);
     void denoiseSignals(VkCommandBuffer cmd, FrameImages& images, const DenoiseFrame& frame);
@@ -87,6 +105,7 @@ private:
     std::array<std::optional<LobeSignal>, 2> m_lobes;
     std::optional<ShadowSignal> m_shadow;
     std::optional<engine::Image> m_overlay;
+    std::array<std::optional<engine::Image>, 2> m_confidences; // by lobe
     engine::ComputePipeline m_packGuides;
     VkDescriptorSet m_packGuidesSet = VK_NULL_HANDLE;
     ComposePass m_compose;

@@ -2,6 +2,7 @@
 #include "demo.h"
 #include "exr.h"
 #include "renderer.h"
+#include "test_run.h"
 #ifdef NRD_HAS_WINDOW
 #include "window/app.h"
 #endif
@@ -207,6 +208,11 @@ int main(int argumentCount, char** arguments)
     if (!options) return exitCode;
     try
     {
+        if (!options->tests.empty())
+        {
+            runTests(*options);
+            return 0;
+        }
         const bool isHeadless = options->isHeadless || options->listDevices || !options->demo.empty();
         isHeadless ? run(*options) : openWindow(*options);
         return 0;

@@ -134,6 +134,8 @@ void addLobes(CLI::App& app, Options& o)
            "A field of the common or the denoiser's settings, such as maxBlurRadius=20; may be repeated")
         ->allow_extra_args(false) // or SCENE after it would be taken for a setting
         ->option_text("KEY=VALUE");
+    app.add_flag("--confidence", o.hasConfidence,
+                 "Trace one in 25 of last frame's paths again, so that REBLUR and RELAX know where light has changed");
     addNamed(
         app, "--lobes", kLobeNames, o.lobes,
         "both traces a path for each lobe of a pixel; probabilistic traces one, for the lobe that chance picks, and "
@@ -171,6 +173,10 @@ void addOutputs(CLI::App& app, Options& o)
            },
            "List (7,8,15,16), or every-K for the pairs (K-1,K), (2K-1,2K); default every-8, with --demo every-16")
         ->option_text("LIST");
+    app.add_option("--tests", o.tests, "Run the tests in this folder headless, see the sample's page")
+        ->option_text("DIR");
+    app.add_option("--test-results", o.testResults, "Folder for their captures and reports, default that of --tests")
+        ->option_text("DIR");
     app.add_option("--demo", o.demo, "Folder for noisy, denoised and reference pictures; prints the table of errors")
         ->option_text("DIR");
 }
@@ -223,6 +229,7 @@ void complete(Options& o)
     if (!o.scene.empty() && o.builtIn) throw CLI::ValidationError("--scene", "SCENE is given, too");
     if (!o.script.empty() && (o.isHeadless || !o.demo.empty()))
         throw CLI::ValidationError("--script", "commands are for the window, not for --headless");
+    if (!o.testResults.empty() && o.tests.empty()) throw CLI::ValidationError("--test-results", "there are no --tests");
     const bool needsReference = !o.demo.empty() || !o.referenceScreenshot.empty();
     if (needsReference && o.referenceSpp == 0) o.referenceSpp = 128; // two minutes on two cores without a GPU
     const bool hasFrames = o.referenceFrames.every != 0 || !o.referenceFrames.list.empty();

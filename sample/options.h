@@ -42,6 +42,7 @@ struct Options
     bool hasJitter = false;
     bool hasTemporalAa = false;       // of pictures to look at, with jitter
     bool hasPsr = false;              // primary surface replacement
+    bool hasConfidence = false;       // a few of last frame's paths are traced again
     std::filesystem::path screenshot; // of the last frame, .png or .exr
     std::filesystem::path noisyScreenshot;
     std::filesystem::path referenceScreenshot;
@@ -49,7 +50,9 @@ struct Options
     std::filesystem::path demo;    // folder
     uint32_t referenceSpp = 0;     // 0: no references
     ReferenceFrames referenceFrames;
-    std::filesystem::path script; // of the window
+    std::filesystem::path script;      // of the window
+    std::filesystem::path tests;       // folder; empty: none are run
+    std::filesystem::path testResults; // folder; empty: that of the tests
     std::string device;
     bool validation = false;
     bool isHeadless = false;

@@ -20,12 +20,14 @@ struct ModeRow
     Shader shader;
     size_t targetCount; // images it writes
 };
-constexpr uint32_t kFrameMode = 0, kReferenceMode = 1, kPlainMode = 2;
-constexpr ModeRow kModes[] = {{Shader::TraceFrame, 15}, {Shader::TraceReference, 3}, {Shader::TracePlain, 2}};
+constexpr uint32_t kFrameMode = 0, kReferenceMode = 1, kPlainMode = 2, kRetraceMode = 3;
+constexpr ModeRow kModes[] = {
+    {Shader::TraceFrame, 15}, {Shader::TraceReference, 3}, {Shader::TracePlain, 2}, {Shader::TraceAgain, 1}};
 
 // What the tracer is asked for applies to frames; a reference has all samples, plain paths have nothing apart.
 TracerDesc descOfMode(TracerDesc desc, uint32_t mode)
 {
+    if (mode == kRetraceMode) return desc;
     if (mode > 0) desc.checkerboard = nrd::CheckerboardMode::OFF;
     if (mode > 1 || (mode > 0 && desc.lobes == Lobes::Probabilistic)) desc.lobes = Lobes::Both;
     if (mode > 1) desc.hasShadowSignal = false;
@@ -246,8 +248,13 @@ void PathTracer::recordPlain(VkCommandBuffer cmd, const View& view, const Refere
            glm::uvec4(m_desc.seed + 0xBEEF, batch.first, batch.count, batch.first == 0));
 }
 
+void PathTracer::recordRetrace(VkCommandBuffer cmd, const View& view, engine::Image& target, uint32_t tileSize)
+{
+    record(cmd, kRetraceMode, {&target}, view, glm::uvec4(m_desc.seed, view.frameIndex, 1, 1), tileSize);
+}
+
 void PathTracer::record(VkCommandBuffer cmd, uint32_t mode, const std::vector<engine::Image*>& targets,
-                        const View& view, const glm::uvec4& sampling)
+                        const View& view, const glm::uvec4& sampling, uint32_t tileSize)
 {
     compile(mode);
     Program& program = m_programs[mode];
@@ -266,6 +273,8 @@ void PathTracer::record(VkCommandBuffer cmd, uint32_t mode, const std::vector<en
     c.environment.w = m_desc.maxBounces;
     c.sampling = sampling;
     c.shadow = glm::uvec4(m_shadowLightIndex, 0, 0, 0);
+    c.tiles = glm::uvec4(engine::groupCount(m_desc.width, tileSize), engine::groupCount(m_desc.height, tileSize),
+                         tileSize, 0);
     std::memcpy(m_constants[m_slot].mapped().data(), &c, sizeof(c));
 
     std::vector<engine::Binding> bindings = {m_constants[m_slot], m_nodes,  m_triangles, m_vertices,    m_motion,
@@ -280,8 +289,7 @@ void PathTracer::record(VkCommandBuffer cmd, uint32_t mode, const std::vector<en
         program.pipeline->writeSet(set, bindings);
     else
         set = program.pipeline->createSet(bindings);
-    const uint32_t groups =
-        engine::groupCount(m_desc.width, kGroupSize) * engine::groupCount(m_desc.height, kGroupSize);
+    const uint32_t groups = engine::groupCount(c.tiles.x, kGroupSize) * engine::groupCount(c.tiles.y, kGroupSize);
     program.pipeline->dispatch(cmd, set, {}, {groups, 1, 1});
 }
 } // namespace sample

@@ -104,6 +104,11 @@ public:
     /// Adds plain paths, without split and demodulation, to sumDiffuse(): what composing must agree with.
     void recordPlain(VkCommandBuffer cmd, const View& view, const ReferenceBatch& batch);
 
+    /// Traces the paths of the frame that `view` showed once more, through the scene as it is now: of each tile of
+    /// `tileSize` pixels a side the one of NRD_GetConfidencePixel. `target` has a texel per tile; see
+    /// IN_RETRACED_SAMPLE.
+    void recordRetrace(VkCommandBuffer cmd, const View& view, engine::Image& target, uint32_t tileSize);
+
     /// What may change from frame to frame; the other fields of the description are final.
     void setLimits(uint32_t maxBounces, float roughening);
     void setHitDistanceParameters(const glm::vec3& parameters) { m_desc.hitDistanceParameters = parameters; }
@@ -135,7 +140,7 @@ private:
     };
     void compile(uint32_t mode);
     void record(VkCommandBuffer cmd, uint32_t mode, const std::vector<engine::Image*>& targets, const View& view,
-                const glm::uvec4& sampling);
+                const glm::uvec4& sampling, uint32_t tileSize = 1);
     void store(engine::Buffer& buffer, const char* name, const Words& words);
     const engine::Device& m_device;
     TracerDesc m_desc;
@@ -145,7 +150,7 @@ private:
     engine::Buffer m_nodes, m_triangles, m_vertices, m_motion, m_materials, m_texels, m_lights, m_environment, m_energy;
     std::vector<engine::Buffer> m_constants; // ring
     uint32_t m_slot = 0;
-    std::array<Program, 3> m_programs; // by mode
+    std::array<Program, 4> m_programs; // by mode
     bool m_hasMotion = false;
     float m_denoisingRange = 1000.0f;
     float m_sceneRadius = 1.0f;

@@ -101,6 +101,7 @@ DenoiseDesc denoiseDesc(const Options& options, const Scene& scene, const Denois
     desc.isSceneMoving = !scene.channels.empty();
     desc.hasShadowSignal = options.hasShadowSignal;
     desc.hasTemporalAa = options.hasTemporalAa;
+    desc.hasConfidence = options.hasConfidence;
     return desc;
 }
 
@@ -127,6 +128,7 @@ Renderer::Renderer(const engine::Device& device, const Stage& stage, const Optio
     : m_device(device), m_stage(stage), m_options(options), m_pose(stage.scene),
       m_tracer(device, stage.scene, environmentOf(stage), tracerDesc(options)), m_ring(device, kFramesInFlight)
 {
+    if (options.hasConfidence) m_retrace.emplace(device, options.width, options.height);
     for (const DenoiserSet& set : options.sets)
         m_stages.push_back(std::make_unique<DenoiseStage>(device, denoiseDesc(options, stage.scene, set)));
     const float aspect = float(options.width) / float(options.height);
@@ -161,6 +163,11 @@ void Renderer::renderFrame()
     FrameInput input;
     input.time = double(m_nextFrame) / double(m_options.framesPerSecond);
     input.deltaTimeMs = 1000.0f / m_options.framesPerSecond;
+    renderFrame(input);
+}
+
+void Renderer::renderFrame(const FrameInput& input)
+{
     startFrame(input);
     m_ring.waitAll();
 }
@@ -182,6 +189,7 @@ void Renderer::startFrame(const FrameInput& input)
 {
     pose(input);
     const uint32_t index = m_nextFrame++;
+    const View lastView = m_frame.view;
     m_frame.view.camera =
         input.camera ? *input.camera : currentCamera(float(m_options.width) / float(m_options.height));
     m_frame.view.jitter = m_options.hasJitter || m_options.hasTemporalAa ? jitterOf(index) : glm::vec2(0.0f);
@@ -190,7 +198,9 @@ void Renderer::startFrame(const FrameInput& input)
     m_frame.deltaTimeMs = input.deltaTimeMs;
     m_frame.isCut = index == 0 || input.isCut;
     m_frame.shadowLight = m_tracer.shadowLight();
+    m_frame.retrace = m_retrace ? &*m_retrace : nullptr;
     VkCommandBuffer cmd = m_ring.begin();
+    if (m_retrace) m_retrace->record(cmd, m_tracer, index == 0 ? m_frame.view : lastView);
     m_tracer.recordFrame(cmd, m_frame.view);
     for (auto& stage : m_stages)
         if (stage) stage->record(cmd, m_tracer.images(), m_frame);

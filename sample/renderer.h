@@ -40,6 +40,7 @@ public:
 
     /// Renders the next frame, starting with 0, and waits for it.
     void renderFrame();
+    void renderFrame(const FrameInput& input);
     /// Submits the next frame without waiting for it.
     void startFrame(const FrameInput& input);
     /// Replaces what denoises the picture `index`; null leaves the place empty. Waits for the device.
@@ -86,6 +87,7 @@ private:
     std::optional<Camera> m_framing;          // of a scene without camera
     std::optional<CaptureLight> m_firstLight; // of the shadow signal, before the first frame
     PathTracer m_tracer;
+    std::optional<Retrace> m_retrace;
     std::vector<std::unique_ptr<DenoiseStage>> m_stages; // by set
     engine::FrameRing m_ring;
     DenoiseFrame m_frame;

@@ -42,4 +42,11 @@ if(NRD_BUILD_WINDOW)
     target_include_directories(nrd_window SYSTEM PRIVATE "${NRD_IMGUI_INCLUDE_DIR}")
     target_link_libraries(nrd_window PUBLIC nrd_viewer PRIVATE "${NRD_IMGUI_LIBRARY}" ${imgui_needs} glfw nrd_warnings)
     target_compile_definitions(nrd_window INTERFACE NRD_HAS_WINDOW)
+    if(NRD_HOT_RELOAD)
+        target_sources(nrd_window PRIVATE window/shader_reload.cpp)
+        target_link_libraries(nrd_window PRIVATE nrd_shader_compiler)
+        target_compile_definitions(nrd_window PRIVATE NRD_HOT_RELOAD
+            NRD_SHADER_SOURCES="${PROJECT_SOURCE_DIR}/shaders"
+            NRD_SHADER_MANIFEST="$<TARGET_PROPERTY:nrd_shaders,NRD_MANIFEST>")
+    endif()
 endif()

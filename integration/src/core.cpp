@@ -69,8 +69,8 @@ void Core::CreationMessage::report(void* userArg, Result, const char* text)
 Core::Core(rhi::Device& device, const IntegrationCreationDesc& desc, const InstanceCreationDesc& instanceDesc)
     : m_device(device), m_name(desc.name ? desc.name : "NRD"), m_desc(checked(desc)), m_instanceDesc(instanceDesc),
       m_instance(createInstance()), m_memory(device, desc.deviceMemory),
-      m_pipelines(device, m_name.c_str(), description().pipelinesNum), m_views(device),
-      m_transferPipelines(device, m_name.c_str())
+      m_pipelines(device, m_name.c_str(), description().pipelinesNum, {desc.findShader, desc.findShaderArg}),
+      m_views(device), m_transferPipelines(device, m_name.c_str())
 {
     m_desc.name = m_name.c_str();
     m_desc.native = {};
@@ -96,11 +96,16 @@ UniqueInstance Core::createInstance()
         for (uint32_t i = 0; i < m_instanceDesc.denoisersNum; i++)
             m_denoisers.push_back({m_instanceDesc.denoisers[i], {}});
     std::vector<DenoiserDesc> denoisers;
-    for (const DenoiserState& denoiser : m_denoisers) denoisers.push_back(denoiser.desc);
+    for (const DenoiserState& denoiser : m_denoisers)
+        if (!denoiser.isConfidence()) denoisers.push_back(denoiser.desc);
 
     InstanceCreationDesc desc = m_instanceDesc;
     if (desc.denoisers || !denoisers.empty()) desc.denoisers = denoisers.data();
-    return createInstance(desc, m_creationMessage);
+    UniqueInstance created = createInstance(desc, m_creationMessage);
+    const bool isKnown = !m_denoisers.empty() && m_denoisers.back().isConfidence();
+    if (desc.confidenceTileSize > 0 && !isKnown)
+        m_denoisers.push_back({{kConfidenceIdentifier, Denoiser::MAX_NUM, desc.confidenceTileSize, false}, {}});
+    return created;
 }
 
 void Core::createFrameResources()
@@ -213,6 +218,8 @@ Core::DenoiserState& Core::find(Identifier identifier)
 {
     for (DenoiserState& denoiser : m_denoisers)
         if (denoiser.desc.identifier == identifier) return denoiser;
+    if (identifier == kConfidenceIdentifier)
+        throw Refusal(Result::INVALID_ARGUMENT, "confidenceTileSize is 0, must be in [1; 8] for confidence to be made");
     throw Refusal(Result::INVALID_ARGUMENT, sentence("identifier %u names no denoiser of this instance", identifier));
 }
 

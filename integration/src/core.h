@@ -31,8 +31,9 @@ public:
     void setCommonSettings(const CommonSettings& settings);
     template <class Settings> void setDenoiserSettings(Identifier identifier, const Settings& settings)
     {
-        check(SetDenoiserSettings(*m_instance, identifier, settings));
-        find(identifier).settings = settings;
+        DenoiserState& denoiser = find(identifier);
+        check(setSettings(*m_instance, identifier, settings));
+        denoiser.settings = settings;
     }
     void denoise(VkCommandBuffer commandBuffer, rhi::Span<const Identifier> identifiers, NrdUserPool& userPool,
                  const DenoiseOptions& options);
@@ -57,13 +58,19 @@ public:
     Pools& pools() { return *m_pools; }
 
 private:
+    /// What an identifier stands for; what makes confidence comes last.
     struct DenoiserState
     {
         DenoiserDesc desc;
         // As set last, for dumps and diagnoses.
-        std::variant<std::monostate, ReblurSettings, RelaxSettings, SigmaSettings, ReferenceSettings> settings;
+        std::variant<std::monostate, ReblurSettings, RelaxSettings, SigmaSettings, ReferenceSettings,
+                     ConfidenceSettings>
+            settings;
         uint64_t lastFrame = 0;       // that it was denoised in
         bool isHistoryBroken = false; // its last request was planned, but not recorded
+
+        bool isConfidence() const { return desc.identifier == kConfidenceIdentifier; }
+        const char* name() const { return isConfidence() ? "ComputeConfidence()" : toString(desc.denoiser); }
     };
     // Of a failed creation there is no instance to ask; an instance keeps its sink for life.
     struct CreationMessage
@@ -89,6 +96,13 @@ private:
     void recordTransfer(rhi::CommandBuffer& commands);
     bool isTransferPending() const { return m_transfer && m_transfer->isPending(); }
     DenoiserState& find(Identifier identifier);
+    template <class Settings> static Result setSettings(Instance& instance, Identifier identifier, const Settings& s)
+    {
+        if constexpr (std::is_same_v<Settings, ConfidenceSettings>)
+            return SetConfidenceSettings(instance, s);
+        else
+            return SetDenoiserSettings(instance, identifier, s);
+    }
     void check(Result result) const; // of the descriptor library
     void checkRequest(rhi::Span<const Identifier> identifiers, const NrdUserPool& userPool);
     void checkUserPool(const DenoiserState& denoiser, const NrdUserPool& userPool) const;

@@ -106,7 +106,7 @@ void Core::checkRequest(rhi::Span<const Identifier> identifiers, const NrdUserPo
         if (isListedTwice || (denoiser.lastFrame == m_frame && denoiser.desc.hasHistory))
             throw Refusal(Result::INVALID_ARGUMENT,
                           sentence("identifier %u (%s) is denoised twice in one frame, which would spoil its history",
-                                   identifiers[i], toString(denoiser.desc.denoiser)));
+                                   identifiers[i], denoiser.name()));
         checkUserPool(denoiser, userPool);
     }
     const std::string conflict = findStateConflict(userPool);
@@ -127,7 +127,7 @@ void Core::checkUserPool(const DenoiserState& denoiser, const NrdUserPool& userP
         const uint32_t divisor = needs[i].sizeDivisor;
         const SlotRules rules = {(m_desc.resourceWidth + divisor - 1) / divisor,
                                  (m_desc.resourceHeight + divisor - 1) / divisor, description().normalEncoding};
-        const std::string error = findError(userPool[needs[i].type], needs[i], rules, toString(denoiser.desc.denoiser));
+        const std::string error = findError(userPool[needs[i].type], needs[i], rules, denoiser.name());
         if (!error.empty()) throw Refusal(Result::INVALID_ARGUMENT, error);
     }
     const std::string overlap = findOverlap(userPool, {needs, needCount});

@@ -76,7 +76,7 @@ std::vector<DiagnosedImage> Core::diagnosedImages(NrdUserPool& userPool, NrdDiag
                                            [&](const ResourceRequirement& r) { return r.type == slot.type; });
             if (need == needs + needCount || (slot.isReblur && !isReblur(denoiser.desc.denoiser))) continue;
             if (userPool[slot.type].image == VK_NULL_HANDLE) break; // its rules rest
-            const std::string error = findError(userPool[slot.type], *need, rules, toString(denoiser.desc.denoiser));
+            const std::string error = findError(userPool[slot.type], *need, rules, denoiser.name());
             if (!error.empty()) throw Refusal(Result::INVALID_ARGUMENT, error);
             images.push_back({{toString(slot.type), &userPool[slot.type]}, slot.texels});
             break;

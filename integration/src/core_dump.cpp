@@ -24,6 +24,8 @@ void Core::dumpInputs(const char* folder, uint32_t frameCount)
 bool Core::isDumped(rhi::Span<const Identifier> identifiers)
 {
     if (!m_dump || !m_dump->wants(m_frame)) return false;
+    const auto isConfidence = [](Identifier identifier) { return identifier == kConfidenceIdentifier; };
+    if (std::all_of(identifiers.begin(), identifiers.end(), isConfidence)) return false; // left out of captures
     const auto isPacked = [](const auto& settings)
     {
         if constexpr (requires { settings.checkerboardMode; })

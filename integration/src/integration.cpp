@@ -235,6 +235,12 @@ Result NrdIntegration::SetDenoiserSettings(Identifier identifier, const Referenc
                           [&](Core& core) { core.setDenoiserSettings(identifier, settings); });
 }
 
+Result NrdIntegration::SetConfidenceSettings(const ConfidenceSettings& settings)
+{
+    return Impl::withCore(m_impl.get(), "SetConfidenceSettings",
+                          [&](Core& core) { core.setDenoiserSettings(kConfidenceIdentifier, settings); });
+}
+
 Result NrdIntegration::Denoise(VkCommandBuffer commandBuffer, const Identifier* identifiers, uint32_t identifiersNum,
                                NrdUserPool& userPool, const DenoiseOptions& options)
 {
@@ -242,6 +248,12 @@ Result NrdIntegration::Denoise(VkCommandBuffer commandBuffer, const Identifier* 
                           [&](Core& core) {
                               core.denoise(commandBuffer, {identifiers, identifiersNum}, userPool, options);
                           });
+}
+
+Result NrdIntegration::ComputeConfidence(VkCommandBuffer commandBuffer, NrdUserPool& userPool,
+                                         const DenoiseOptions& options)
+{
+    return Denoise(commandBuffer, &kConfidenceIdentifier, 1, userPool, options);
 }
 
 Result NrdIntegration::Repeat(const Identifier* identifiers, uint32_t identifiersNum, NrdUserPool& userPool,

@@ -29,8 +29,8 @@ std::vector<rhi::BindingDesc> bindingsOf(const InstanceDesc& instance, const Pip
 }
 } // namespace
 
-Pipelines::Pipelines(rhi::Device& device, const char* name, uint32_t pipelineCount)
-    : m_device(device), m_name(name), m_pipelines(pipelineCount)
+Pipelines::Pipelines(rhi::Device& device, const char* name, uint32_t pipelineCount, const Replacement& replacement)
+    : m_device(device), m_name(name), m_replacement(replacement), m_pipelines(pipelineCount)
 {
 }
 
@@ -45,7 +45,11 @@ const rhi::Pipeline& Pipelines::get(const InstanceDesc& instance, uint32_t index
         constants.push_back({source.specializationConstants[i].id, source.specializationConstants[i].value});
     const std::string name = sentence("%s %s", m_name.c_str(), source.shaderIdentifier);
     rhi::PipelineDesc desc;
-    desc.spirv = {source.computeShaderSPIRV.words, source.computeShaderSPIRV.byteSize / sizeof(uint32_t)};
+    SPIRV module = source.computeShaderSPIRV;
+    const SPIRV other =
+        m_replacement.find ? m_replacement.find(m_replacement.userArg, source.shaderIdentifier) : SPIRV{};
+    if (other.words) module = other;
+    desc.spirv = {module.words, module.byteSize / sizeof(uint32_t)};
     desc.bindings = bindings;
     desc.constants = constants;
     desc.name = name.c_str();

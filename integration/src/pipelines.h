@@ -10,7 +10,13 @@ namespace nrd
 class Pipelines
 {
 public:
-    Pipelines(rhi::Device& device, const char* name, uint32_t pipelineCount);
+    /// What the application has in place of a shader of the library's; `find` may be null.
+    struct Replacement
+    {
+        SPIRV (*find)(void* userArg, const char* shaderIdentifier) = nullptr;
+        void* userArg = nullptr;
+    };
+    Pipelines(rhi::Device& device, const char* name, uint32_t pipelineCount, const Replacement& replacement);
 
     /// Throws rhi::Error with the shader's name. `instance` is any that was created from the same description, so that
     /// equal indices mean equal pipelines.
@@ -20,6 +26,7 @@ public:
 private:
     rhi::Device& m_device;
     std::string m_name;
+    Replacement m_replacement;
     std::vector<std::unique_ptr<rhi::Pipeline>> m_pipelines;
     uint32_t m_createdCount = 0;
 };

@@ -9,8 +9,10 @@ namespace nrd
 namespace
 {
 // These three are read with filtering over [0; 1]^2, so that they may be smaller than the resource.
-bool hasFreeSize(ResourceType slot)
+bool hasFreeSize(const ResourceRequirement& need)
 {
+    const ResourceType slot = need.type;
+    if (need.descriptorType != DescriptorType::TEXTURE) return false;
     return slot == ResourceType::IN_DIFF_CONFIDENCE || slot == ResourceType::IN_SPEC_CONFIDENCE ||
            slot == ResourceType::IN_DISOCCLUSION_THRESHOLD_MIX;
 }
@@ -34,7 +36,7 @@ std::string findFormatError(const NrdUserImage& image, const ResourceRequirement
     if (format == rhi::Format::Unknown)
         return sentence("%s: VkFormat %d is not one that can be used here", slot, int(image.format));
     const char* const given = rhi::formatInfo(format).name;
-    if (need.type == ResourceType::IN_NORMAL_ROUGHNESS)
+    if (need.type == ResourceType::IN_NORMAL_ROUGHNESS || need.type == ResourceType::IN_STORED_NORMAL_ROUGHNESS)
     {
         if (suits(format, rules.normalEncoding)) return {};
         return sentence("%s: the format is %s, but the instance's normal encoding asks for %s", slot, given,
@@ -56,7 +58,7 @@ std::string findError(const NrdUserImage& image, const ResourceRequirement& need
     if (error.empty()) error = findFormatError(image, need, rules);
     if (!error.empty()) return error;
     if (image.width == 0 || image.height == 0) return sentence("%s: the image's width or height is 0", slot);
-    if (hasFreeSize(need.type) || (image.width == rules.width && image.height == rules.height)) return {};
+    if (hasFreeSize(need) || (image.width == rules.width && image.height == rules.height)) return {};
     return sentence("%s: the image is %u x %u, but the resource size is %u x %u", slot, image.width, image.height,
                     rules.width, rules.height);
 }

@@ -1,5 +1,6 @@
 #include "compiled.h"
 #include "bindings.h"
+#include "denoisers/families.h"
 #include "pipelines.h"
 #include "pool_planner.h"
 #include <algorithm>
@@ -134,7 +135,7 @@ void addPipelinesAndClears(CompiledDenoiser& denoiser, PipelineTable& pipelines)
 
 void addNames(CompiledDenoiser& denoiser)
 {
-    const char* name = toString(denoiser.program.variant->key);
+    const char* name = nameOf(*denoiser.program.variant);
     denoiser.clearName << name << " - Clear";
     for (const Pass& pass : denoiser.program.passes) denoiser.passNames.push(Name() << name << " - " << pass.row->name);
 }
@@ -177,24 +178,28 @@ void compile(const InstanceCreationDesc& desc, Compiled& compiled)
 {
     Memory* memory = compiled.denoisers.get_allocator().resource();
     PipelineTable pipelines(desc.normalEncoding, desc.roughnessEncoding, memory);
-    compiled.denoisers.reserve(desc.denoisersNum);
-    for (uint32_t i = 0; i < desc.denoisersNum; i++)
+    compiled.denoisers.reserve(desc.denoisersNum + 1);
+    const auto add = [&](Identifier identifier, uint32_t divisor, FullSize fullSize, const VariantOfFamily& which)
     {
         CompiledDenoiser& denoiser = compiled.denoisers.emplace_back();
-        denoiser.identifier = desc.denoisers[i].identifier;
-        denoiser.resolutionDivisor = static_cast<uint16_t>(desc.denoisers[i].resolutionDivisor);
-        denoiser.program = expand(findVariant(desc.denoisers[i].denoiser, keptBy(desc.denoisers[i])),
-                                  desc.normalEncoding, fullSizeOf(desc.denoisers[i]));
+        denoiser.identifier = identifier;
+        denoiser.resolutionDivisor = static_cast<uint16_t>(divisor);
+        denoiser.program = expand(which, desc.normalEncoding, fullSize);
         denoiser.settings = denoiser.program.family->defaults;
         addPermanentTextures(denoiser, compiled.permanentPool);
-    }
+    };
+    for (uint32_t i = 0; i < desc.denoisersNum; i++)
+        add(desc.denoisers[i].identifier, desc.denoisers[i].resolutionDivisor, fullSizeOf(desc.denoisers[i]),
+            findVariant(desc.denoisers[i].denoiser, keptBy(desc.denoisers[i])));
+    if (desc.confidenceTileSize > 0)
+        add(kConfidenceIdentifier, desc.confidenceTileSize, FullSize::NOTHING, {&kHistoryConfidence, 0});
     placeTransientTextures(compiled, memory);
     for (CompiledDenoiser& denoiser : compiled.denoisers)
     {
         addPipelinesAndClears(denoiser, pipelines);
         addNames(denoiser);
         addTotals(denoiser, compiled);
-        compiled.infos.push_back(makeInfo(denoiser));
+        if (denoiser.identifier != kConfidenceIdentifier) compiled.infos.push_back(makeInfo(denoiser));
     }
     pipelines.finish(compiled.pipelines, compiled.constants);
 }

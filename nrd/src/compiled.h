@@ -45,7 +45,7 @@ struct Compiled
 {
     explicit Compiled(std::pmr::memory_resource* memory);
 
-    std::pmr::vector<CompiledDenoiser> denoisers;
+    std::pmr::vector<CompiledDenoiser> denoisers; // and last of all what makes confidence, if anything does
     std::pmr::vector<DenoiserInfo> infos;
     std::pmr::vector<PipelineDesc> pipelines;
     std::pmr::vector<SpecializationConstant> constants; // of all pipelines

@@ -102,9 +102,10 @@ void Instance::emitPass(const CompiledDenoiser& denoiser, size_t index, const Co
         (last->constantBufferData == m_constantBlock ||
          std::memcmp(last->constantBufferData, m_constantBlock, byteSize) == 0);
 
-    const uint16_t(&rect)[2] = pass.row->isFullSize ? m_common.rectSize : conditions.common.rectSize;
-    dispatch.gridWidth = divideUp(divideUp(rect[0], pass.row->gridFactor), pass.row->group.x);
-    dispatch.gridHeight = divideUp(divideUp(rect[1], pass.row->gridFactor), pass.row->group.y);
+    const CommonSettings& common = pass.row->isFullSize ? m_common : conditions.common;
+    const uint16_t(&extent)[2] = denoiser.program.family->spansResource ? common.resourceSize : common.rectSize;
+    dispatch.gridWidth = divideUp(divideUp(extent[0], pass.row->gridFactor), pass.row->group.x);
+    dispatch.gridHeight = divideUp(divideUp(extent[1], pass.row->gridFactor), pass.row->group.y);
     dispatch.indirectBufferIndex = kNoBuffer;
     m_dispatches.push_back(dispatch);
 }

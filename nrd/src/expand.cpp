@@ -150,6 +150,11 @@ Format guideFormat(NormalEncoding encoding)
     return Format::MAX_NUM;
 }
 
+const char* nameOf(const Variant& variant)
+{
+    return variant.key == Denoiser::MAX_NUM ? "CONFIDENCE" : toString(variant.key);
+}
+
 VariantOfFamily findVariant(Denoiser denoiser, Keeps keeps)
 {
     for (const Family* family : kFamilies)

@@ -75,6 +75,7 @@ inline FullSize fullSizeOf(const DenoiserDesc& desc)
 {
     return desc.resolutionDivisor > 1 ? desc.fullSize : FullSize::NOTHING;
 }
+const char* nameOf(const Variant& variant); // of the denoiser, or of what is none
 inline Keeps keptBy(const DenoiserDesc& desc) { return desc.hasHistory ? Keeps::History : Keeps::Nothing; }
 Program expand(const VariantOfFamily& which, NormalEncoding encoding, FullSize fullSize = FullSize::NOTHING);
 Format guideFormat(NormalEncoding encoding);

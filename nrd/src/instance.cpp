@@ -22,7 +22,10 @@ Error unknownIdentifier(Identifier identifier)
 {
     Error error;
     error.result = Result::INVALID_ARGUMENT;
-    error.text << "identifier is " << identifier << ", expected one of InstanceCreationDesc::denoisers";
+    if (identifier == kConfidenceIdentifier)
+        error.text << "InstanceCreationDesc::confidenceTileSize is 0, expected [1; 8] where confidence is made";
+    else
+        error.text << "identifier is " << identifier << ", expected one of InstanceCreationDesc::denoisers";
     return error;
 }
 
@@ -107,7 +110,7 @@ template <class Settings> Result Instance::setDenoiserSettings(Identifier identi
         Error error;
         error.result = Result::INVALID_ARGUMENT;
         error.text << "settings are of another family than identifier " << identifier << ", which is "
-                   << toString(denoiser->program.variant->key);
+                   << nameOf(*denoiser->program.variant);
         return fail(error);
     }
     if (const Error error = findError(settings)) return fail(error);
@@ -118,6 +121,7 @@ template Result Instance::setDenoiserSettings(Identifier, const ReblurSettings&)
 template Result Instance::setDenoiserSettings(Identifier, const RelaxSettings&);
 template Result Instance::setDenoiserSettings(Identifier, const SigmaSettings&);
 template Result Instance::setDenoiserSettings(Identifier, const ReferenceSettings&);
+template Result Instance::setDenoiserSettings(Identifier, const ConfidenceSettings&);
 
 Error Instance::findRequestError(const Identifier* identifiers, uint32_t num)
 {

@@ -75,6 +75,9 @@ constexpr NameRow<ResourceType> kResourceTypeNames[] = {
     {ResourceType::OUT_SHADOW_TRANSLUCENCY, "OUT_SHADOW_TRANSLUCENCY"},
     {ResourceType::OUT_SIGNAL, "OUT_SIGNAL"},
     {ResourceType::OUT_VALIDATION, "OUT_VALIDATION"},
+    {ResourceType::IN_STORED_SAMPLE, "IN_STORED_SAMPLE"},
+    {ResourceType::IN_RETRACED_SAMPLE, "IN_RETRACED_SAMPLE"},
+    {ResourceType::IN_STORED_NORMAL_ROUGHNESS, "IN_STORED_NORMAL_ROUGHNESS"},
     {ResourceType::TRANSIENT_POOL, "TRANSIENT_POOL"},
     {ResourceType::PERMANENT_POOL, "PERMANENT_POOL"},
 };

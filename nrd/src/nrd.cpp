@@ -95,6 +95,11 @@ Result SetDenoiserSettings(Instance& instance, Identifier identifier, const Refe
     return instance.setDenoiserSettings(identifier, settings);
 }
 
+Result SetConfidenceSettings(Instance& instance, const ConfidenceSettings& settings)
+{
+    return instance.setDenoiserSettings(kConfidenceIdentifier, settings);
+}
+
 Result GetComputeDispatches(Instance& instance, const Identifier* identifiers, uint32_t identifiersNum,
                             const DispatchDesc*& dispatches, uint32_t& dispatchesNum)
 {

@@ -30,7 +30,8 @@ enum Lobes : uint8_t
 };
 
 // One alternative per family; the family's default is what a new denoiser starts with.
-using FamilySettings = std::variant<ReblurSettings, RelaxSettings, SigmaSettings, ReferenceSettings>;
+using FamilySettings =
+    std::variant<ReblurSettings, RelaxSettings, SigmaSettings, ReferenceSettings, ConfidenceSettings>;
 
 // What a signal consists of. One value for a variant, several for what a row applies to.
 enum Kinds : uint8_t
@@ -199,7 +200,7 @@ struct SignalRow
 
 struct Variant
 {
-    Denoiser key;
+    Denoiser key; // MAX_NUM: no denoiser
     Lobes lobes;
     Kinds kind;
     FixedList<SignalRow, 4> signals; // with a second texture per lobe, those come after the first ones
@@ -299,6 +300,7 @@ struct Family
     bool areOutputsCleared; // false where the output may be the same image as the input
     void (*fillConstants)(const Request& request, void* block); // block is zeroed
     RequestHistory (*advance)(const Request& request);          // the history after this request
+    bool spansResource = false; // grids cover the resource whatever the rectangle: outputs are sampled over [0; 1]^2
 };
 
 // Every pass has one shader for all of its variants or exactly one for each.

@@ -16,6 +16,7 @@ Format minFormat(ResourceType type, const Conditions& c)
     case ResourceType::IN_MV:
         return hasMotionZ ? Format::RGBA16_SFLOAT : Format::RG16_SFLOAT;
     case ResourceType::IN_NORMAL_ROUGHNESS:
+    case ResourceType::IN_STORED_NORMAL_ROUGHNESS:
         return guideFormat(c.normalEncoding);
     case ResourceType::IN_VIEWZ:
     case ResourceType::IN_PENUMBRA:
@@ -41,6 +42,8 @@ Format minFormat(ResourceType type, const Conditions& c)
     case ResourceType::OUT_SIGNAL:
         return Format::R8_UNORM;
     case ResourceType::IN_SPEC_MV:
+    case ResourceType::IN_STORED_SAMPLE:
+    case ResourceType::IN_RETRACED_SAMPLE:
     case ResourceType::IN_DIFF_RADIANCE_HITDIST:
     case ResourceType::IN_SPEC_RADIANCE_HITDIST:
     case ResourceType::IN_DIFF_SH0:

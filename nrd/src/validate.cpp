@@ -88,6 +88,19 @@ Error findError(const ReferenceSettings& s)
     return check.error();
 }
 
+Error findError(const ConfidenceSettings& s)
+{
+    constexpr float kMaxHalf = 65504.0f;
+    Checker check("ConfidenceSettings");
+    check.aboveUpTo("sensitivity", s.sensitivity, 0.0f, 100.0f);
+    check.inside("tolerance", s.tolerance, 0.0f, 1.0f);
+    check.aboveUpTo("minLuminance", s.minLuminance, 0.0f, kMaxHalf);
+    check.aboveUpTo("maxLuminance", s.maxLuminance, 0.0f, kMaxHalf);
+    check.aboveUpTo("planeDistanceSensitivity", s.planeDistanceSensitivity, 0.0f, 1.0f);
+    check.inside("blurPassNum", s.blurPassNum, 0u, 5u);
+    return check.error();
+}
+
 namespace
 {
 // REFERENCE knows no guides to resample along, and a mean of penumbrae is none.
@@ -130,6 +143,12 @@ void checkDenoisers(Error& error, const InstanceCreationDesc& desc)
                        << static_cast<uint32_t>(mostFullSize(denoiser.denoiser)) << " of "
                        << toString(denoiser.denoiser);
         }
+        if (!error && denoiser.identifier == kConfidenceIdentifier)
+        {
+            error.result = Result::NON_UNIQUE_IDENTIFIER;
+            error.text << "InstanceCreationDesc::denoisers[" << i << "].identifier is " << denoiser.identifier
+                       << ", which is kConfidenceIdentifier";
+        }
         for (uint32_t j = 0; j < i && !error; j++)
         {
             if (desc.denoisers[j].identifier != denoiser.identifier) continue;
@@ -160,6 +179,7 @@ Error findError(const InstanceCreationDesc& desc)
     check.require(desc.denoisersNum <= 1024, "denoisersNum", desc.denoisersNum, "at most 1024");
     check.enumerator("normalEncoding", desc.normalEncoding);
     check.enumerator("roughnessEncoding", desc.roughnessEncoding);
+    check.inside("confidenceTileSize", desc.confidenceTileSize, 0u, 8u);
     error = check.error();
     if (!error) checkDenoisers(error, desc);
     return error;

@@ -20,4 +20,5 @@ Error findError(const ReblurSettings& settings);
 Error findError(const RelaxSettings& settings);
 Error findError(const SigmaSettings& settings);
 Error findError(const ReferenceSettings& settings);
+Error findError(const ConfidenceSettings& settings);
 } // namespace nrd

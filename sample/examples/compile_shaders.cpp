@@ -72,9 +72,9 @@ std::vector<uint32_t> optimise(const std::vector<unsigned int>& words)
 }
 } // namespace
 
-ShaderCompiler::ShaderCompiler(const std::string& folder) : m_folder(folder)
+ShaderCompiler::ShaderCompiler(const std::string& folder, const std::string& manifestFile) : m_folder(folder)
 {
-    const nlohmann::json manifest = nlohmann::json::parse(read(folder + "/nrd_shaders.json"));
+    const nlohmann::json manifest = nlohmann::json::parse(read(manifestFile));
     if (manifest.at("targetEnvironment") != "vulkan1.1" || manifest.at("optimizer") != "performance")
         throw std::runtime_error("nrd_shaders.json asks for what this compiler does not do");
     for (const std::string include : manifest.at("includes")) m_includes.push_back(folder + "/" + include);

@@ -11,7 +11,9 @@ class ShaderCompiler
 {
 public:
     /// `folder` is share/nrd/shaders of an installation: the sources, and nrd_shaders.json, the list of permutations.
-    explicit ShaderCompiler(const std::string& folder);
+    explicit ShaderCompiler(const std::string& folder) : ShaderCompiler(folder, folder + "/nrd_shaders.json") {}
+    /// With the list elsewhere, as a build has it.
+    ShaderCompiler(const std::string& folder, const std::string& manifestFile);
     ~ShaderCompiler();
     ShaderCompiler(const ShaderCompiler&) = delete;
     ShaderCompiler& operator=(const ShaderCompiler&) = delete;

@@ -1,4 +1,5 @@
-// One noisy frame (MODE 0), or more samples added to the sums of its reference (MODE 1), or plain paths (MODE 2).
+// One noisy frame (MODE 0), or more samples added to the sums of its reference (MODE 1), or plain paths (MODE 2), or
+// the path of one pixel of each tile, as a frame traces it (MODE 3).
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "path.glsl"
@@ -23,6 +24,8 @@ layout(set = 0, binding = 21) uniform writeonly image2D gOut_SpecularOrigin;
 layout(set = 0, binding = 22) uniform writeonly image2D gOut_SpecularMotion; // .w: 0 without a sample
 layout(set = 0, binding = 23) uniform writeonly image2D gOut_Shadow;         // translucency, .w: distance
 layout(set = 0, binding = 24) uniform writeonly image2D gOut_Sun;
+#elif MODE == 3
+layout(set = 0, binding = 10) uniform writeonly image2D gOut_RetracedSample;
 #else
 layout(set = 0, binding = 10, rgba32f) uniform image2D gSum_Diffuse; // .w: normalised hit distance
 layout(set = 0, binding = 11, rgba32f) uniform image2D gSum_Specular;
@@ -32,9 +35,9 @@ layout(set = 0, binding = 12, rgba32f) uniform image2D gSum_Shadow; // transluce
 #endif
 
 // A group of 64 is 8 x 8 pixels; eight lanes that run together are 4 x 2 of them.
-ivec2 pixelOf(uint group, uint lane)
+ivec2 pixelOf(uint group, uint lane, uint width)
 {
-    uint columns = (g.size.x + 7u) / 8u;
+    uint columns = (width + 7u) / 8u;
     uvec2 tile = uvec2(group % columns, group / columns);
     return ivec2(tile * 8u + uvec2((lane & 3u) | ((lane >> 1) & 4u), ((lane >> 2) & 1u) | ((lane >> 3) & 6u)));
 }
@@ -115,8 +118,14 @@ Split splitOf(Surface s)
 
 void main()
 {
-    ivec2 pixel = pixelOf(gl_WorkGroupID.x, gl_LocalInvocationIndex);
+#if MODE == 3
+    ivec2 tile = pixelOf(gl_WorkGroupID.x, gl_LocalInvocationIndex, g.tiles.x);
+    if (any(greaterThanEqual(uvec2(tile), g.tiles.xy))) return;
+    ivec2 pixel = NRD_GetConfidencePixel(tile, int(g.tiles.z), ivec2(g.size.xy));
+#else
+    ivec2 pixel = pixelOf(gl_WorkGroupID.x, gl_LocalInvocationIndex, g.size.x);
     if (any(greaterThanEqual(uvec2(pixel), g.size.xy))) return;
+#endif
     Primary p = findPrimary(g.viewToWorld[3].xyz, primaryDirection(pixel));
     Surface s = p.surface;
     float viewZ = p.isSky ? g.frustum.w : (g.worldToView * vec4(unfoldPosition(p, s.position), 1.0)).z;
@@ -130,6 +139,8 @@ void main()
     storeGuides(pixel, p, viewZ);
     storeSignals(pixel, p, split, sums);
     if (kHasShadowLight) storeShadow(pixel, s, p.isSky, p.tint, seed);
+#elif MODE == 3
+    imageStore(gOut_RetracedSample, tile, NRD_FrontEnd_PackConfidenceSample(sums.diffuse, sums.specular, viewZ));
 #else
     if (MODE == 2) sums.diffuse *= p.tint;
     vec4 diffuse = vec4(sums.diffuse, sums.diffuseHit), specular = vec4(sums.specular, sums.specularHit);

@@ -50,6 +50,7 @@ App::App(const Options& options)
 void App::run()
 {
     while (!m_window.isClosing()) frame();
+    m_recorder.stopTest();
     m_recorder.stopCapture();
     m_device.waitIdle();
     if (m_device.validationMessageCount() > 0)
@@ -75,6 +76,9 @@ void App::frame()
     runScript();
     if (m_loader.isBusy() || m_window.isClosing()) return;
     followWindow();
+#ifdef NRD_HOT_RELOAD
+    m_shaderReload.poll(*m_viewer);
+#endif
     const double seconds = secondsOfFrame();
     listen(seconds);
     const bool isNew = m_viewer->advance(seconds);
@@ -82,6 +86,8 @@ void App::frame()
     m_picked.reset();
     if (m_viewer->state.picked) m_picked = m_viewer->readPicked();
     show("");
+    if (!m_firstPicture)
+        m_firstPicture = std::chrono::duration<double>(std::chrono::steady_clock::now() - m_start).count();
     if (isNew) m_recorder.addFrame(*m_viewer);
     if (m_waitFrames > 0) --m_waitFrames;
     fulfil();
@@ -128,7 +134,9 @@ void App::finishLoading()
             viewer->state.exposure = m_viewer->state.exposure;
             viewer->state.tone = m_viewer->state.tone;
             viewer->state.hasReference = m_viewer->state.hasReference;
+            viewer->state.hasConfidence = m_viewer->state.hasConfidence;
         }
+        m_recorder.stopTest();
         m_recorder.stopCapture();
         m_device.waitIdle();
         m_viewer = std::move(viewer);
@@ -163,6 +171,8 @@ void App::fulfil()
             folder->empty() ? m_recorder.stopCapture() : m_recorder.startCapture(*m_viewer, *folder);
         if (const auto folder = std::exchange(w.sequence, {}))
             folder->empty() ? m_recorder.stopSequence() : m_recorder.startSequence(*folder);
+        if (const auto folder = std::exchange(w.test, {}))
+            folder->empty() ? m_recorder.stopTest() : m_recorder.startTest(*m_viewer, *folder);
         if (const auto isWanted = std::exchange(w.fullscreen, {})) m_window.setFullscreen(*isWanted);
         if (const auto scene = std::exchange(w.scene, {})) m_loader.start(withScene(m_options, *scene));
         if (const auto file = std::exchange(w.file, {})) m_loader.start(withFile(m_options, *file));

@@ -5,6 +5,9 @@
 #include "window/panel.h"
 #include "window/screen.h"
 #include "window/script.h"
+#ifdef NRD_HOT_RELOAD
+#include "window/shader_reload.h"
+#endif
 
 #include <map>
 
@@ -34,16 +37,23 @@ private:
     void runViewing(const ScriptCommand& command);
     void runTracing(const ScriptCommand& command);
     void runWindowing(const ScriptCommand& command);
+    void hold(const std::string& name, bool isHeld);
+    void printState() const;
     void print(const std::string& what);
     bool isScripted() const { return !m_options.script.empty(); }
 
-    Options m_options; // of the next scene
+    std::chrono::steady_clock::time_point m_start = std::chrono::steady_clock::now(); // of the program
+    std::optional<double> m_firstPicture;                                             // seconds from there
+    Options m_options;                                                                // of the next scene
     window::Window m_window;
     engine::Device m_device;
     window::Screen m_screen;
     Loader m_loader;
     std::unique_ptr<Viewer> m_viewer;
     Recorder m_recorder;
+#ifdef NRD_HOT_RELOAD
+    ShaderReload m_shaderReload;
+#endif
     Wishes m_wishes;
     std::optional<PickedPixel> m_picked;
     std::vector<ScriptCommand> m_script;

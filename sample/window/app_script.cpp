@@ -2,6 +2,7 @@
 #include "window/app_parts.h"
 #include "window/views.h"
 
+#include <GLFW/glfw3.h>
 #include <algorithm>
 #include <cstdio>
 
@@ -25,6 +26,32 @@ constexpr const char* kCameras[] = {"scene", "fly", "orbit"};
 constexpr const char* kTones[] = {"compress", "filmic", "clamp"};
 constexpr const char* kLobeNames[] = {"both", "probabilistic", "merged"};
 constexpr const char* kColors[] = {"off", "black", "white"};
+
+struct NamedKey
+{
+    const char* name;
+    int code; // GLFW_KEY_... or GLFW_MOUSE_BUTTON_...
+    bool isButton = false;
+};
+constexpr NamedKey kKeys[] = {{"space", GLFW_KEY_SPACE},
+                              {"tab", GLFW_KEY_TAB},
+                              {"shift", GLFW_KEY_LEFT_SHIFT},
+                              {"ctrl", GLFW_KEY_LEFT_CONTROL},
+                              {"f11", GLFW_KEY_F11},
+                              {"f12", GLFW_KEY_F12},
+                              {"left", GLFW_MOUSE_BUTTON_LEFT, true},
+                              {"right", GLFW_MOUSE_BUTTON_RIGHT, true}};
+
+// A letter or digit is its own name.
+NamedKey keyNamed(const std::string& name)
+{
+    for (const NamedKey& key : kKeys)
+        if (name == key.name) return key;
+    const char c = name.size() == 1 ? name[0] : ' ';
+    if (c >= 'a' && c <= 'z') return {"", GLFW_KEY_A + (c - 'a')};
+    if (c >= '0' && c <= '9') return {"", GLFW_KEY_0 + (c - '0')};
+    throw SettingError("'" + name + "' is no key; there are a to z, 0 to 9, space tab shift ctrl f11 f12 left right");
+}
 
 std::filesystem::path pathOrEnd(const std::string& text) { return text == "off" ? "" : text; }
 } // namespace
@@ -70,6 +97,9 @@ void App::run(const ScriptCommand& command)
         break;
     case Verb::Sequence:
         m_wishes.sequence = pathOrEnd(command.text);
+        break;
+    case Verb::Test:
+        m_wishes.test = pathOrEnd(command.text);
         break;
     case Verb::Print:
         print(command.text);
@@ -162,6 +192,9 @@ void App::runTracing(const ScriptCommand& command)
     case Verb::Rotate:
         state.environmentTurn = number;
         return;
+    case Verb::Confidence:
+        state.hasConfidence = command.numbers[0] != 0.0;
+        return;
     case Verb::Speed:
         state.animationSpeed = std::clamp(number, 0.0f, 4.0f);
         return;
@@ -184,6 +217,17 @@ void App::runWindowing(const ScriptCommand& command)
         return m_window.setFullscreen(isOn);
     case Verb::Minimize:
         return m_window.setMinimized(isOn);
+    case Verb::Reload:
+#ifdef NRD_HOT_RELOAD
+        return m_shaderReload.watch(*m_viewer, command.text);
+#else
+        throw SettingError("this build has no hot reload of shaders");
+#endif
+    case Verb::Hold:
+    case Verb::Release:
+        return hold(command.text, command.verb == Verb::Hold);
+    case Verb::Cursor:
+        return m_window.moveCursor({float(command.numbers[0]), float(command.numbers[1])});
     case Verb::WindowShot:
         m_wishes.windowPicture = command.text;
         m_waitFrames = 1; // it is taken as the next frame is shown
@@ -193,10 +237,38 @@ void App::runWindowing(const ScriptCommand& command)
     }
 }
 
+void App::hold(const std::string& name, bool isHeld)
+{
+    const NamedKey key = keyNamed(name);
+    key.isButton ? m_window.holdButton(key.code, isHeld) : m_window.holdKey(key.code, isHeld);
+}
+
+// What keys and mouse change.
+void App::printState() const
+{
+    const ViewerState& s = m_viewer->state;
+    const glm::vec3 eye = s.camera.eye(), target = s.camera.target();
+    std::printf(
+        "state paused %d compared %d split %.2f view '%s' panel %d fullscreen %d picked %d,%d frames %u camera %s",
+        s.isPaused, s.isCompared, double(s.split), views()[s.view].name, !m_isPanelHidden, m_window.isFullscreen(),
+        s.picked ? s.picked->x : -1, s.picked ? s.picked->y : -1, m_viewer->renderer().frameIndex(),
+        kCameras[size_t(s.cameraMode)]);
+    if (s.cameraMode != CameraMode::Scene)
+        std::printf(" eye %.3f %.3f %.3f target %.3f %.3f %.3f", double(eye.x), double(eye.y), double(eye.z),
+                    double(target.x), double(target.y), double(target.z));
+    std::printf("\n");
+}
+
 void App::print(const std::string& what)
 {
     if (what == "views")
         for (const ViewRow& row : views()) std::printf("%s\n", row.name);
+    else if (what == "state")
+        printState();
+    else if (what == "start")
+        std::printf("first picture after %.2f s\n", m_firstPicture.value_or(0.0));
+    else if (what == "message")
+        std::printf("message '%s'\n", m_viewer->message().c_str());
     else if (what == "memory")
         std::printf("memory %.2f MiB\n", m_viewer->side(0).memoryMiB());
     else if (what == "size")
@@ -212,6 +284,7 @@ void App::print(const std::string& what)
                     double(p.historyLength[0].value_or(0.0f)), double(p.historyLength[1].value_or(0.0f)));
     }
     else
-        throw SettingError("print takes pixel, error, memory, size or views, not '" + what + "'");
+        throw SettingError("print takes pixel, error, memory, size, views, state, start or message, not '" + what +
+                           "'");
 }
 } // namespace sample

@@ -73,6 +73,8 @@ void drawFilesPart(const PanelInput& input)
     ImGui::SameLine();
     if (ImGui::Button(isSequencing ? "End the sequence" : "Record a sequence"))
         wishes.sequence = isSequencing ? "" : "sequence";
+    const bool isTesting = input.recorder.isTesting();
+    if (ImGui::Button(isTesting ? "End the test" : "Record a test")) wishes.test = isTesting ? "" : "tests";
     if (isCapturing) ImGui::Text("%u frames", input.recorder.capturedFrames());
 }
 

@@ -10,7 +10,7 @@ struct Wishes
     std::optional<std::string> scene;          // file or name of a built-in one
     std::optional<std::filesystem::path> file; // scene or environment, as dropped
     std::optional<std::filesystem::path> picture, buffer, windowPicture;
-    std::optional<std::filesystem::path> capture, sequence; // empty path: end it
+    std::optional<std::filesystem::path> capture, sequence, test; // empty path: end it
     std::optional<bool> fullscreen;
     float renderScale = 1.0f; // rendered pixels per pixel of the window, [0.1; 2]
 };

@@ -49,5 +49,6 @@ void drawTracingPart(Viewer& viewer)
     ImGui::Checkbox("jitter", &state.hasJitter);
     ImGui::Checkbox("temporal anti-aliasing", &state.hasTemporalAa);
     ImGui::Checkbox("follow mirrors (PSR)", &state.hasPsr);
+    ImGui::Checkbox("history confidence by re-traced samples", &state.hasConfidence);
 }
 } // namespace sample

@@ -4,6 +4,7 @@
 #include "exr.h"
 
 #include <cstdio>
+#include <utility>
 
 namespace sample
 {
@@ -61,6 +62,29 @@ void Recorder::startCapture(Viewer& viewer, const std::filesystem::path& folder)
     viewer.state.isRestarted = true; // a capture begins without history
 }
 
+void Recorder::startTest(Viewer& viewer, const std::filesystem::path& folder)
+{
+    stopTest();
+    const std::filesystem::path next = nextTest(folder);
+    startCapture(viewer, next / "capture");
+    m_testFolder = next;
+    m_test = {};
+    m_test.what = "recorded in the window";
+    m_test.arguments = viewer.arguments();
+}
+
+void Recorder::stopTest()
+{
+    if (!isTesting()) return;
+    stopCapture();
+    const std::filesystem::path folder = std::exchange(m_testFolder, {});
+    if (m_test.cameras.empty()) return;
+    for (const std::string& text : {std::string("--frames"), std::to_string(m_test.cameras.size()),
+                                    std::string("--reference-spp"), std::string("64")})
+        m_test.arguments.push_back(text);
+    writeTest(folder, m_test);
+}
+
 void Recorder::startSequence(const std::filesystem::path& folder)
 {
     std::error_code error;
@@ -88,6 +112,14 @@ void Recorder::addFrame(Viewer& viewer)
     {
         m_capture->addFrame(viewer.renderer().captureFrame(), viewer.renderer().readFrame());
         ++m_captured;
+    }
+    if (isTesting())
+    {
+        CameraKey key = keyOf(viewer.renderer().frame().view.camera);
+        key.frame = uint32_t(m_test.cameras.size());
+        key.time = viewer.time();
+        if (viewer.renderer().frame().isCut) key.approach = Approach::Cut;
+        m_test.cameras.push_back(key);
     }
     if (m_sequence.empty()) return;
     char name[32];

@@ -1,6 +1,7 @@
 // What leaves the window for the disk: pictures, single images, sequences of pictures, captures.
 #pragma once
 #include "capture.h"
+#include "test_case.h"
 #include "window/viewer.h"
 
 namespace sample
@@ -20,6 +21,11 @@ public:
     void startSequence(const std::filesystem::path& folder);
     void stopCapture(); // writes the head, without which it is none
     void stopSequence() { m_sequence.clear(); }
+    /// The scene, the settings of side A and the camera of every frame that follows, as the next numbered test in
+    /// `folder`, with a capture of them. Throws FileError.
+    void startTest(Viewer& viewer, const std::filesystem::path& folder);
+    void stopTest(); // writes it, unless there was no frame
+    bool isTesting() const { return !m_testFolder.empty(); }
     bool isCapturing() const { return m_capture.has_value(); }
     bool isSequencing() const { return !m_sequence.empty(); }
     uint32_t capturedFrames() const { return m_captured; }
@@ -32,7 +38,9 @@ private:
     std::optional<CaptureWriter> m_capture;
     int m_captureWidth = 0, m_captureHeight = 0;
     uint32_t m_captured = 0;
-    std::filesystem::path m_sequence; // empty: none
+    std::filesystem::path m_sequence;   // empty: none
+    std::filesystem::path m_testFolder; // empty: none
+    TestCase m_test;
     uint32_t m_sequenced = 0;
 };
 } // namespace sample

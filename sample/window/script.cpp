@@ -31,6 +31,7 @@ constexpr VerbRow kVerbs[] = {
     {Verb::Tone,         "tone",         ArgumentKind::Text,    "NAME",      "tone mapping, as the panel names it"},
     {Verb::Sun,          "sun",          ArgumentKind::Numbers, "AZ,EL",     "where the sun is, degrees"},
     {Verb::Rotate,       "rotate",       ArgumentKind::Number,  "DEGREES",   "the environment, about the vertical"},
+    {Verb::Confidence,   "confidence",   ArgumentKind::Switch,  "on|off",    "as --confidence"},
     {Verb::Speed,        "speed",        ArgumentKind::Number,  "FACTOR",    "of the animation, 0 stands still"},
     {Verb::Pause,        "pause",        ArgumentKind::Switch,  "on|off",    "render no frames"},
     {Verb::Step,         "step",         ArgumentKind::None,    "",          "one frame while paused"},
@@ -46,7 +47,12 @@ constexpr VerbRow kVerbs[] = {
     {Verb::WindowShot,   "window",       ArgumentKind::Text,    "FILE.png",  "the whole window with its panel"},
     {Verb::Capture,      "capture",      ArgumentKind::Text,    "DIR|off",   "record the frames that follow"},
     {Verb::Sequence,     "sequence",     ArgumentKind::Text,    "DIR|off",   "pictures of the frames that follow"},
-    {Verb::Print,        "print",        ArgumentKind::Text,    "WHAT",      "pixel, error, memory, size or views"},
+    {Verb::Test,         "test",         ArgumentKind::Text,    "DIR|off",   "record the frames that follow as a test in DIR"},
+    {Verb::Reload,       "reload",       ArgumentKind::Text,    "DIR",       "the denoisers' shaders from there, with hot reload"},
+    {Verb::Hold,         "hold",         ArgumentKind::Text,    "KEY",       "a key, or the left or right button"},
+    {Verb::Release,      "release",      ArgumentKind::Text,    "KEY",       "what is held"},
+    {Verb::Cursor,       "cursor",       ArgumentKind::Numbers, "X,Y",       "move the mouse, pixels of the window"},
+    {Verb::Print,        "print",        ArgumentKind::Text,    "WHAT",      "pixel, error, memory, size, views, state, start, message"},
     {Verb::Quit,         "quit",         ArgumentKind::None,    "",          "close the window"},
 };
 // clang-format on

@@ -39,6 +39,7 @@ enum class Verb : uint8_t
     Tone,
     Sun,
     Rotate,
+    Confidence,
     Speed,
     Pause,
     Step,
@@ -54,6 +55,11 @@ enum class Verb : uint8_t
     WindowShot,
     Capture,
     Sequence,
+    Test,
+    Reload,
+    Hold,
+    Release,
+    Cursor,
     Print,
     Quit
 };

@@ -38,6 +38,7 @@ Viewer::Viewer(const engine::Device& device, Stage stage, const Options& options
     state.hasJitter = m_options.hasJitter;
     state.hasPsr = m_options.hasPsr;
     state.hasTemporalAa = m_options.hasTemporalAa;
+    state.hasConfidence = m_options.hasConfidence;
     state.lobes = *m_options.lobes;
     state.checkerboard = m_options.checkerboard;
     const std::optional<SunAngles> sun = sunOf(m_stage.scene);
@@ -55,6 +56,7 @@ void Viewer::build()
     m_options.hasPsr = state.hasPsr;
     m_options.hasTemporalAa = state.hasTemporalAa;
     m_options.checkerboard = state.checkerboard;
+    m_options.hasConfidence = state.hasConfidence;
     m_options.hasShadowSignal = state.sides[0].set.shadow || (state.isCompared && state.sides[1].set.shadow);
     m_renderer.reset();
     m_renderer = std::make_unique<Renderer>(m_device, m_stage, m_options);
@@ -106,6 +108,7 @@ void Viewer::followSide(size_t index, bool isNew)
     {
         DenoiseDesc desc = denoiseDesc(optionsOf(side), m_stage.scene, side.set);
         desc.isTimed = desc.hasOverlay = true;
+        desc.shaders = &m_shaders;
         m_renderer->setStage(place, std::make_unique<DenoiseStage>(m_device, desc));
         m_frameTimes.clear();
     }
@@ -133,7 +136,8 @@ void Viewer::followTracer()
     const bool hasShadow = state.sides[0].set.shadow || (state.isCompared && state.sides[1].set.shadow);
     const bool isOther = state.lobes != m_applied.lobes || state.checkerboard != m_applied.checkerboard ||
                          hasShadow != m_options.hasShadowSignal || state.hasPsr != m_applied.hasPsr ||
-                         state.hasTemporalAa != m_applied.hasTemporalAa;
+                         state.hasTemporalAa != m_applied.hasTemporalAa ||
+                         state.hasConfidence != m_applied.hasConfidence;
     if (isOther) build();
     m_options.hasJitter = state.hasJitter;
     m_renderer->tracer().setLimits(state.bounces, state.roughening);
@@ -255,6 +259,61 @@ void Viewer::startCamera(CameraMode mode)
         state.camera.start(camera, std::max(glm::length(m_renderer->sceneCenter() - eye), 1e-3f));
     }
     state.cameraMode = mode;
+}
+
+std::set<std::string> Viewer::shaders()
+{
+    std::set<std::string> names = side(0).shaders();
+    if (m_applied.isCompared) names.merge(side(1).shaders());
+    return names;
+}
+
+void Viewer::setShaders(ShaderModules modules)
+{
+    m_device.waitIdle();
+    std::swap(m_shaders, modules);
+    const auto remake = [&]
+    {
+        followSide(0, true);
+        if (m_applied.isCompared) followSide(1, true);
+        state.isRestarted = true;
+    };
+    try
+    {
+        remake();
+    }
+    catch (const engine::Error&)
+    {
+        std::swap(m_shaders, modules);
+        remake();
+        throw;
+    }
+}
+
+std::vector<std::string> Viewer::arguments() const
+{
+    constexpr const char* kLobeNames[] = {"both", "probabilistic", "merged"};
+    constexpr const char* kColors[] = {"off", "black", "white"};
+    const Side& side = state.sides[0];
+    const auto number = [](double value) { return std::to_string(value); };
+    std::vector<std::string> all = {"--denoiser", side.set.name(), "--size",
+                                    std::to_string(m_options.width) + "x" + std::to_string(m_options.height)};
+    const auto add = [&](const char* name, const std::string& value) { all.insert(all.end(), {name, value}); };
+    if (m_options.scene.empty())
+        add("--scene", (m_options.builtIn ? *m_options.builtIn : builtInScenes().front()).name);
+    else
+        all.push_back(std::filesystem::absolute(m_options.scene).string());
+    if (!m_options.environment.empty()) add("--environment", std::filesystem::absolute(m_options.environment).string());
+    if (m_options.sunRadius) add("--sun-radius", number(double(*m_options.sunRadius)));
+    for (const Assignment& assignment : side.settings) add("--set", assignment.first + "=" + assignment.second);
+    add("--lobes", kLobeNames[size_t(state.lobes)]);
+    add("--checkerboard", kColors[size_t(state.checkerboard)]);
+    add("--bounces", std::to_string(state.bounces));
+    add("--roughening", number(double(state.roughening)));
+    add("--seed", std::to_string(m_options.seed));
+    if (state.hasJitter) all.emplace_back("--jitter");
+    if (state.hasConfidence) all.emplace_back("--confidence");
+    return all;
 }
 
 void Viewer::set(const Assignment& assignment)

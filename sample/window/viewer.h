@@ -62,6 +62,14 @@ public:
     bool isMoving() const { return isAnimated() && state.animationSpeed > 0.0f && !state.isPaused; }
     bool isAnimated() const { return !m_stage.scene.channels.empty(); }
     const Options& options() const { return m_options; }
+    /// The command line that renders what side A shows, but for the number of frames.
+    std::vector<std::string> arguments() const;
+    double time() const { return m_time; } // seconds of animation, of the last frame
+
+    /// Names of the permutations that the denoisers may run, and modules for them in place of the library's: the
+    /// denoisers are made anew. Throws engine::Error when they cannot be, and then they are as they were.
+    std::set<std::string> shaders();
+    void setShaders(ShaderModules modules);
     const std::string& message() const { return m_message; }
     void setMessage(const std::string& message) { m_message = message; }
     /// The last advance() was refused something; else a message only says what was done instead.
@@ -88,6 +96,7 @@ private:
     Options m_options;
     uint32_t m_slotCount;
     bool m_hasSun = false;
+    ShaderModules m_shaders; // in place of the library's; outlives the stages
     std::unique_ptr<Renderer> m_renderer;
     std::optional<LiveReference> m_reference;
     std::optional<Display> m_display;

@@ -53,6 +53,7 @@ struct ViewerState
     bool hasJitter = false;
     bool hasTemporalAa = false;
     bool hasPsr = false; // mirrors are followed
+    bool hasConfidence = false;
     Lobes lobes = Lobes::Both;
     nrd::CheckerboardMode checkerboard = nrd::CheckerboardMode::OFF;
 };

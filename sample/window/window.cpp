@@ -106,11 +106,27 @@ void Window::setFullscreen(bool isWanted)
 
 void Window::setMinimized(bool isWanted) { isWanted ? glfwIconifyWindow(m_window) : glfwRestoreWindow(m_window); }
 void Window::setTitle(const std::string& title) { glfwSetWindowTitle(m_window, title.c_str()); }
-bool Window::isKeyDown(int key) const { return glfwGetKey(m_window, key) == GLFW_PRESS; }
-bool Window::isButtonDown(int button) const { return glfwGetMouseButton(m_window, button) == GLFW_PRESS; }
+bool Window::isKeyDown(int key) const { return m_heldKeys.contains(key) || glfwGetKey(m_window, key) == GLFW_PRESS; }
+bool Window::isButtonDown(int button) const
+{
+    return m_heldButtons.contains(button) || glfwGetMouseButton(m_window, button) == GLFW_PRESS;
+}
+
+void Window::holdKey(int key, bool isHeld)
+{
+    m_heldKeys.erase(key);
+    if (isHeld) m_heldKeys.insert(key);
+}
+
+void Window::holdButton(int button, bool isHeld)
+{
+    m_heldButtons.erase(button);
+    if (isHeld) m_heldButtons.insert(button);
+}
 
 glm::vec2 Window::cursor() const
 {
+    if (m_movedCursor) return *m_movedCursor;
     double x = 0.0, y = 0.0;
     glfwGetCursorPos(m_window, &x, &y);
     glm::ivec2 window(0);

@@ -4,6 +4,8 @@
 
 #include <filesystem>
 #include <glm/glm.hpp>
+#include <optional>
+#include <set>
 #include <vector>
 
 struct GLFWwindow;
@@ -42,12 +44,19 @@ public:
     std::vector<std::filesystem::path> takeDroppedFiles();
     glm::vec2 takeWheel();
 
+    /// As if the user did it, besides what the user does: for scripts.
+    void holdKey(int key, bool isHeld);
+    void holdButton(int button, bool isHeld);
+    void moveCursor(glm::vec2 position) { m_movedCursor = position; } // pixels of the frame buffer, from now on
+
     GLFWwindow* handle() const { return m_window; }
 
 private:
     GLFWwindow* m_window = nullptr;
     std::vector<std::filesystem::path> m_dropped;
     glm::vec2 m_wheel = glm::vec2(0.0f);
+    std::set<int> m_heldKeys, m_heldButtons;
+    std::optional<glm::vec2> m_movedCursor;
     glm::ivec4 m_windowed = glm::ivec4(0); // position and size to come back to
 };
 } // namespace window

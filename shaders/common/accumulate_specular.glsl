@@ -154,14 +154,14 @@ struct SpecularLengths
 SpecularLengths measureLengths(Surface s, SurfaceTrack surface, VirtualTrack image, float normHitDist, float motion)
 {
     float roughness = widenedRoughness(s);
-    vec2 confidence = vec2(surface.quality, image.quality);
+    vec2 stored = vec2(surface.n[kSpecularChannel], image.n);
+    vec2 n = vec2(applyConfidence(stored.x, surface.quality), applyConfidence(stored.y, image.quality));
     if (kHasConfidence)
     {
         vec2 given = vec2(textureLod(sampler2D(gIn_SpecularConfidence, gLinearClamp), surface.uv, 0.0).x,
                           textureLod(sampler2D(gIn_SpecularConfidence, gLinearClamp), image.uv, 0.0).x);
-        confidence = vec2(limitConfidence(confidence.x, given.x), limitConfidence(confidence.y, given.y));
+        n = min(n, vec2(applyGivenConfidence(stored.x, given.x), applyGivenConfidence(stored.y, given.y)));
     }
-    vec2 n = vec2(applyConfidence(surface.n[kSpecularChannel], confidence.x), applyConfidence(image.n, confidence.y));
     vec2 responsive = vec2(responsiveLength(roughness, surface.NoN),
                            responsiveLength(roughness, image.NoN));
     SpecularLengths lengths;

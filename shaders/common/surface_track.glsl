@@ -114,11 +114,16 @@ float surfaceQuality(Surface s, SurfaceTrack track)
     return sqrt(saturate(dot(track.weights, vec4(1.0)))) * mix(0.1, 1.0, size);
 }
 
-// By the application's, which may be anything: a length below 0 would turn the signs of weights.
-float limitConfidence(float confidence, float given) { return clamp(given, 0.0, confidence); }
-
-// A confidence of 1 leaves the length alone, 0 is practically a reset; short histories are cut less.
+// A confidence of 1 leaves the length alone, 0 leaves less than a frame; short histories are cut less.
 float applyConfidence(float n, float confidence) { return n * mix(confidence, 1.0, 1.0 / (1.0 + n)); }
+
+// The application's is taken at its word: 0 leaves nothing, since with one frame the light that went off would still be
+// half of the picture, and a third of the next. It may be anything: a length below 0 would turn the signs of weights.
+float applyGivenConfidence(float n, float given)
+{
+    float confidence = clamp(given, 0.0, 1.0);
+    return n * mix(confidence, 1.0, confidence / (1.0 + n));
+}
 
 vec2 fetchLengths(ivec2 origin, vec4 weights)
 {

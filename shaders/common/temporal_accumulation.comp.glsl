@@ -90,11 +90,12 @@ struct LobeResult
 LobeResult accumulateDiffuse(Surface s, SurfaceTrack surface)
 {
     LobeResult result;
-    float confidence = surface.quality;
+    result.n = applyConfidence(surface.n.x, surface.quality);
     if (kHasConfidence)
-        confidence =
-            limitConfidence(confidence, textureLod(sampler2D(gIn_DiffuseConfidence, gLinearClamp), surface.uv, 0.0).x);
-    result.n = applyConfidence(surface.n.x, confidence);
+    {
+        float given = textureLod(sampler2D(gIn_DiffuseConfidence, gLinearClamp), surface.uv, 0.0).x;
+        result.n = min(result.n, applyGivenConfidence(surface.n.x, given));
+    }
     HistoryRead read = surfaceRead(surface);
     History stored = readHistory(gIn_DiffuseHistory, gIn_DiffuseHistorySh, 0, read);
     Signal history = stored.signal;

@@ -11,6 +11,7 @@
 #define NRD_FRONTEND_GLSL
 
 #ifdef __HLSL_VERSION
+#define ivec2 int2
 #define vec2 float2
 #define vec3 float3
 #define vec4 float4
@@ -346,5 +347,6 @@ void NRD_MaterialFactors(vec3 normal, vec3 view, vec3 albedo, vec3 F0, float rou
 #include "nrd_strands.glsl"
 #include "nrd_unfold.glsl"
 #include "nrd_sigma.glsl"
+#include "nrd_confidence.glsl"
 
 #endif

@@ -86,6 +86,8 @@ TEST_CASE("an image of another size is refused by name, but confidences may be s
     CHECK(errorOf(image, kOutput) == "OUT_SIGNAL: the image is 64 x 31, but the resource size is 64 x 32");
     ResourceRequirement confidence = kOutput;
     confidence.type = ResourceType::IN_SPEC_CONFIDENCE;
+    CHECK_THAT(errorOf(image, confidence), containing("IN_SPEC_CONFIDENCE: the image is 64 x 31")); // as it is made
+    confidence.descriptorType = DescriptorType::TEXTURE;
     CHECK(errorOf(image, confidence) == "");
     image.width = 0;
     CHECK(errorOf(image, confidence) == "IN_SPEC_CONFIDENCE: the image's width or height is 0");

@@ -38,7 +38,7 @@ TEST_CASE("the order of the public enumerations is that of the interface", "[uni
     CHECK(static_cast<uint32_t>(ResourceType::IN_SPEC_MV) == 6);
     CHECK(static_cast<uint32_t>(ResourceType::IN_DIFF_RADIANCE_HITDIST) == 7);
     CHECK(static_cast<uint32_t>(ResourceType::OUT_DIFF_RADIANCE_HITDIST) == 19);
-    CHECK(static_cast<uint32_t>(ResourceType::PERMANENT_POOL) == 32);
+    CHECK(static_cast<uint32_t>(ResourceType::PERMANENT_POOL) == 35);
 }
 
 TEST_CASE("frame numbers come from time", "[unit]")

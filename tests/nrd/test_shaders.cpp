@@ -1,5 +1,6 @@
 // The tables against the SPIR-V that was built: bindings, group sizes, switches, constants.
 #include "bindings.h"
+#include "confidence_constants.h"
 #include "denoiser_constants.h"
 #include "denoisers/families.h"
 #include "expand.h"
@@ -162,7 +163,9 @@ template <size_t Num> void checkMembers(Shader shader, const std::string& struct
 
 TEST_CASE("bindings, groups and switches of each shader are those of its table row", "[unit]")
 {
-    for (const Family* family : kFamilies)
+    std::vector<const Family*> tables(std::begin(kFamilies), std::end(kFamilies));
+    tables.push_back(&kHistoryConfidence);
+    for (const Family* family : tables)
     {
         for (size_t variant = 0; variant < family->variants.size(); variant++)
         {
@@ -194,6 +197,7 @@ TEST_CASE("clears write one storage image and need no constants", "[unit]")
 
 TEST_CASE("constants lie at the same offsets in C++ and in SPIR-V", "[unit]")
 {
+    using shared::ConfidenceConstants;
     using shared::DenoiserConstants;
     using shared::ReferenceConstants;
     const Member both[] = {
@@ -293,6 +297,22 @@ TEST_CASE("constants lie at the same offsets in C++ and in SPIR-V", "[unit]")
         {"splitScreen", offsetof(ReferenceConstants, splitScreen)},
         {"weight", offsetof(ReferenceConstants, weight)},
     };
+    const Member confidence[] = {
+        {"viewToWorldPrev", offsetof(ConfidenceConstants, viewToWorldPrev)},
+        {"frustumPrev", offsetof(ConfidenceConstants, frustumPrev)},
+        {"rectSizePrev", offsetof(ConfidenceConstants, rectSizePrev)},
+        {"outputSizeInv", offsetof(ConfidenceConstants, outputSizeInv)},
+        {"isOrthographic", offsetof(ConfidenceConstants, isOrthographic)},
+        {"planeDistance", offsetof(ConfidenceConstants, planeDistance)},
+        {"denoisingRange", offsetof(ConfidenceConstants, denoisingRange)},
+        {"viewZScale", offsetof(ConfidenceConstants, viewZScale)},
+        {"minLuminance", offsetof(ConfidenceConstants, minLuminance)},
+        {"maxLuminance", offsetof(ConfidenceConstants, maxLuminance)},
+        {"tolerance", offsetof(ConfidenceConstants, tolerance)},
+        {"sensitivity", offsetof(ConfidenceConstants, sensitivity)},
+        {"isHistoryReset", offsetof(ConfidenceConstants, isHistoryReset)},
+    };
+    checkMembers(Shader::ConfidenceBlur, "ConfidenceConstants", confidence);
     checkMembers(Shader::ReblurBlurDiffuseSpecular, "DenoiserConstants", both);
     checkMembers(Shader::ReferenceAccumulate, "ReferenceConstants", reference);
 }

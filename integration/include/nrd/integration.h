@@ -108,6 +108,11 @@ struct IntegrationCreationDesc
     /// Where the pools' other memory comes from; null: vkAllocateMemory(). Buffers (constants, copies for the host) are
     /// small and the integration's own.
     DeviceMemoryCallbacks deviceMemory = {};
+    // For the development of shaders: a module in place of the library's for the permutation of that name (see
+    // PipelineDesc::shaderIdentifier), or none (null words). Asked whenever a pipeline is made, in Create() and
+    // Denoise(); the module is read before the next call, and has the same interface.
+    SPIRV (*findShader)(void* userArg, const char* shaderIdentifier) = nullptr;
+    void* findShaderArg = nullptr;
 };
 
 /// How an image was left, or must be found, between two uses: what an image barrier names on that side. States of
@@ -129,7 +134,7 @@ struct NrdUserImage
 {
     VkImage image = VK_NULL_HANDLE; // null: the slot is empty
     VkFormat format = VK_FORMAT_UNDEFINED;
-    uint32_t width = 0;          // pixels; the resource size, except for confidences and the threshold mix
+    uint32_t width = 0;          // pixels; the resource size, but for confidences, the threshold mix, IN_STORED_...
     uint32_t height = 0;         // pixels
     VkImageUsageFlags usage = 0; // as created, 0 = unknown: taken as SAMPLED and STORAGE
     uint64_t generation = 0;     // another number for each image that may get the handle of a destroyed one
@@ -260,12 +265,21 @@ public:
     Result SetDenoiserSettings(Identifier identifier, const RelaxSettings& settings);
     Result SetDenoiserSettings(Identifier identifier, const SigmaSettings& settings);
     Result SetDenoiserSettings(Identifier identifier, const ReferenceSettings& settings);
+    /// The same, of ComputeConfidence().
+    Result SetConfidenceSettings(const ConfidenceSettings& settings);
 
     /// Records the named denoisers, in the order of the list, each at most once per frame. `commandBuffer` is in the
     /// recording state and outside a render pass, of a queue with compute. Refused, with the name of the slot: a slot
     /// that a denoiser needs is empty, its image lacks usage, channels or size, or has two states.
     Result Denoise(VkCommandBuffer commandBuffer, const Identifier* identifiers, uint32_t identifiersNum,
                    NrdUserPool& userPool, const DenoiseOptions& options = {});
+
+    /// Records what makes IN_DIFF_CONFIDENCE and IN_SPEC_CONFIDENCE from IN_STORED_SAMPLE, IN_RETRACED_SAMPLE and
+    /// IN_STORED_NORMAL_ROUGHNESS: Denoise() with kConfidenceIdentifier, which may as well stand first in the list of
+    /// another call. Its five images have ceil(resource size / InstanceCreationDesc::confidenceTileSize) pixels a side.
+    /// For a denoiser to read the result, CommonSettings::isHistoryConfidenceAvailable must be set, and may be in all
+    /// frames: after a restart confidence is 1. Once per frame; errors as of Denoise().
+    Result ComputeConfidence(VkCommandBuffer commandBuffer, NrdUserPool& userPool, const DenoiseOptions& options = {});
 
     /// For command buffers that are recorded once. In place of Denoise() with the same arguments: makes this frame's
     /// constants and history ready for what Denoise() recorded under `options.recording`, without recording.

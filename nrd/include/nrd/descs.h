@@ -40,9 +40,14 @@ enum class FullSize : uint32_t
     MAX_NUM
 };
 
+// In a list of identifiers: history confidence from samples of the last frame that were traced again. It reads
+// IN_STORED_... and IN_RETRACED_SAMPLE, and writes IN_DIFF_CONFIDENCE and IN_SPEC_CONFIDENCE, all of a size of
+// ceil(resourceSize / confidenceTileSize), for the denoisers that come after it. Keeps nothing from frame to frame.
+constexpr Identifier kConfidenceIdentifier = 0xFFFFFFFF;
+
 struct DenoiserDesc
 {
-    Identifier identifier = 0;
+    Identifier identifier = 0; // not kConfidenceIdentifier
     Denoiser denoiser = Denoiser::MAX_NUM;
     // [1; 8]. Inputs, outputs and history of this denoiser have ceil(size / resolutionDivisor) pixels a side; the
     // common settings stay those of the full resolution.
@@ -62,6 +67,9 @@ struct InstanceCreationDesc
     uint32_t denoisersNum = 0; // 0 is allowed: an instance that can do nothing
     NormalEncoding normalEncoding = NormalEncoding::R10_G10_B10_A2_UNORM;
     RoughnessEncoding roughnessEncoding = RoughnessEncoding::LINEAR;
+    // [1; 8] pixels, side of the tiles of which the application traces one sample of the last frame again: the instance
+    // then makes history confidence, too, which kConfidenceIdentifier stands for. 0 = it does not; 5 is usual.
+    uint32_t confidenceTileSize = 0;
 };
 
 struct LibraryDesc

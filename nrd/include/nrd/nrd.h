@@ -25,6 +25,8 @@ NRD_API Result SetDenoiserSettings(Instance& instance, Identifier identifier, co
 NRD_API Result SetDenoiserSettings(Instance& instance, Identifier identifier, const RelaxSettings& settings);
 NRD_API Result SetDenoiserSettings(Instance& instance, Identifier identifier, const SigmaSettings& settings);
 NRD_API Result SetDenoiserSettings(Instance& instance, Identifier identifier, const ReferenceSettings& settings);
+// Of what kConfidenceIdentifier stands for. INVALID_ARGUMENT if the instance has no confidenceTileSize.
+NRD_API Result SetConfidenceSettings(Instance& instance, const ConfidenceSettings& settings);
 
 // The dispatches of the named denoisers, in the order of the list. Each identifier at most once per
 // SetCommonSettings(), in one call or several. Allocates nothing. INVALID_ARGUMENT: unknown or repeated identifier, no

@@ -105,8 +105,8 @@ struct ReblurSettings
 
     float fastHistoryClampingSigmaScale = 2.0f; // [1; 3] standard deviations
     // Radii are pixels at a rectangle of 1440 lines and scale with the square root of its height: fewer pixels average
-    // less noise away, but each spans more of the scene. The pre-pass is of use where most samples are missing or wrong;
-    // what it blurs no later pass brings back.
+    // less noise away, but each spans more of the scene. The pre-pass is of use where most samples are missing or
+    // wrong; what it blurs no later pass brings back.
     PrePassMode prePassMode = PrePassMode::AUTO;
     float diffusePrepassBlurRadius = 18.0f;         // [0; 256] pixels, 0 = off
     float specularPrepassBlurRadius = 36.0f;        // [0; 256] pixels, 0 = off
@@ -215,6 +215,20 @@ inline uint32_t GetMaxAccumulatedFrameNum(float seconds, float fps)
     const float frameNum = seconds * fps + 0.5f;
     return frameNum < 63.0f ? static_cast<uint32_t>(frameNum) : 63; // clamped before the cast: infinity has none
 }
+
+// What luminances of samples that were traced again say about history: confidence = 1 - saturate(sensitivity *
+// (change - tolerance)), change = mean |now - before| / max(mean max(now, before), minLuminance) of a neighbourhood; of
+// a tile and those round it the least. A history whose light changes steadily settles at 1 / (sensitivity * change)
+// frames.
+struct ConfidenceSettings
+{
+    float sensitivity = 4.0f;               // (0; 100]
+    float tolerance = 0.01f;                // [0; 1], change that may be rounding
+    float minLuminance = 0.001f;            // (0; 65504], mean below which nothing matters
+    float maxLuminance = 32.0f;             // (0; 65504], brighter samples count as that: one must not speak for all
+    float planeDistanceSensitivity = 0.02f; // (0; 1], fraction of the frustum's size at that depth
+    uint32_t blurPassNum = 3;               // [0; 5] passes of 5x5 tiles, 1, 2, 3... tiles apart
+};
 
 struct ReferenceSettings
 {

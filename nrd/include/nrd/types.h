@@ -88,8 +88,13 @@ enum class ResourceType : uint32_t
     OUT_SHADOW_TRANSLUCENCY,
     OUT_SIGNAL,
     OUT_VALIDATION,
-    TRANSIENT_POOL, // may be reused by the application after the dispatches
-    PERMANENT_POOL, // history; not to be touched
+    // Of the history confidence, one texel per tile of InstanceCreationDesc::confidenceTileSize pixels a side. .x
+    // luminance of the demodulated diffuse lobe, .y of specular, .z view depth as in IN_VIEWZ:
+    IN_STORED_SAMPLE,           // last frame's sample of the tile, see NRD_GetConfidencePixel
+    IN_RETRACED_SAMPLE,         // the same path, by the same random numbers, through this frame's scene
+    IN_STORED_NORMAL_ROUGHNESS, // last frame's IN_NORMAL_ROUGHNESS where that sample is
+    TRANSIENT_POOL,             // may be reused by the application after the dispatches
+    PERMANENT_POOL,             // history; not to be touched
     MAX_NUM
 };
 

@@ -8,6 +8,7 @@ extern const Family kReblur;
 extern const Family kRelax;
 extern const Family kSigma;
 extern const Family kReference;
+extern const Family kHistoryConfidence; // no denoiser, so not among those below
 
 constexpr const Family* kFamilies[] = {&kReblur, &kRelax, &kSigma, &kReference};
 } // namespace nrd
