@@ -64,7 +64,7 @@ public:
             measurer.add(frame, planes, reference, &denoised);
         }
         writer.finish();
-        writePng(m_results / "denoised.png", renderer.readComposed());
+        writePng(m_results / "denoised.png", renderer.readShown());
         return makeReport(renderer, measurer);
     }
 

@@ -88,7 +88,8 @@ nrd::shared::DenoiserConstants constantsOf(const nrd::CommonSettings& common)
     const nrd::FrameState state = nrd::makeFrameState(common, 1.0f);
     const nrd::VariantOfFamily which = nrd::findVariant(nrd::Denoiser::RELAX_DIFFUSE_SPECULAR);
     const nrd::RequestHistory history;
-    return nrd::makeRelaxConstants({common, settings, state, history, which.family->variants[which.variant], false});
+    const nrd::Variant& variant = which.family->variants[which.variant];
+    return nrd::makeRelaxConstants({common, common, settings, state, history, variant, false, 1, 1});
 }
 } // namespace
 

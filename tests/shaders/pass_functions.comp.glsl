@@ -44,7 +44,7 @@ vec4 planeDistances(Arguments v)
 {
     Pixel p = makePixel(ivec2(v.a.xy), v.a.z, guideOf(v.b.xyz, 0.5));
     Neighbour other = makeNeighbour(p, ivec2(v.c.xy), v.c.z, p.guide);
-    return vec4(planeDistance(p, v.c.xy, v.c.z), other.distance, p.frustumSize, p.NoV);
+    return vec4(planeDistance(p.plane, v.c.xy, v.c.z), other.distance, p.frustumSize, p.NoV);
 }
 
 Stops stopsOf(Pixel p, Lobe lobe, vec4 e) { return makeStops(p, lobe, e.w != 0.0, e.x, e.y, e.z); }

@@ -198,6 +198,6 @@ struct ResourceRequirement
     bool isRequired;               // false: used when bound, or only with a setting that is off now
     bool isReadBack;               // of an output: holds steps on the way too, so that it needs sampled usage as well
     Format minFormat;              // smallest format that keeps what the slot carries
-    uint32_t sizeDivisor;          // the image has at least ceil(resourceSize / sizeDivisor) pixels a side
+    uint32_t sizeDivisor = 1;      // the image has at least ceil(resourceSize / sizeDivisor) pixels a side
 };
 } // namespace nrd
