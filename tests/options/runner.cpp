@@ -59,6 +59,7 @@ struct Runner::Impl
     glm::ivec2 size{1};
     Setup setup;
     size_t light = 0; // of one frame
+    bool isFresh = true; // nothing of earlier frames counts
     std::map<std::pair<size_t, Slot>, std::unique_ptr<test::Image>> images;
 };
 
@@ -180,9 +181,8 @@ Runner::~Runner() { test::failOnMessages(); }
 
 void Runner::start(const Setup& setup)
 {
-    // A size it does not have: the instance is made anew, the pipelines stay.
-    if (m_impl->size == setup.size) m_impl->resize(setup.size + 1);
-    m_impl->resize(setup.size);
+    if (m_impl->size != setup.size) m_impl->resize(setup.size);
+    m_impl->isFresh = true; // the pipelines stay
     change(setup);
 }
 
@@ -202,7 +202,10 @@ std::vector<Result> Runner::denoiseLights(int frameIndex, std::span<const Setup>
 {
     nrd::NrdIntegration& integration = m_impl->integration;
     require(integration.NewFrame(), integration);
-    require(integration.SetCommonSettings(makeCommon(lights[0], frameIndex, frameIndex == 0)), integration);
+    nrd::CommonSettings common = makeCommon(lights[0], frameIndex, frameIndex == 0);
+    if (m_impl->isFresh) common.accumulationMode = nrd::AccumulationMode::CLEAR_AND_RESTART;
+    m_impl->isFresh = false;
+    require(integration.SetCommonSettings(common), integration);
     const auto commands = test::validatedDevice().createCommandBuffer("denoise");
     commands->begin();
     std::vector<Frame> frames;
