@@ -27,8 +27,8 @@ struct ReplayReport
     nrd::Quality preset = nrd::Quality::BALANCED;
     std::vector<Assignment> settings; // what --set changed on top of it
     Resolution resolution = {};
-    std::optional<double> gpuMs;                               // median of the frames' totals
-    std::vector<PassReport> passes;                            // medians
+    std::optional<double> gpuMs;    // median of the frames' totals
+    std::vector<PassReport> passes; // medians
     struct Memory
     {
         double permanent = 0.0, transient = 0.0, total = 0.0; // MiB

@@ -47,8 +47,8 @@ void main()
     ivec2 first = tile * TILE_SIZE + ivec2(gl_LocalInvocationID.xy) * ivec2(2, 4);
     bool isUsed = false;
     float firstViewZ = 0.0;
-    // Unrolled and without branches, so that all reads are under way at once. What lies beyond the rectangle is not ours to
-    // read: the nearest pixel inside, which is of this tile, stands for it.
+    // Unrolled and without branches, so that all reads are under way at once. What lies beyond the rectangle is not
+    // ours to read: the nearest pixel inside, which is of this tile, stands for it.
     [[unroll]] for (int i = 7; i >= 0; i--)
     {
         ivec2 pixel = clampToRect(first + ivec2(i & 1, i >> 1));

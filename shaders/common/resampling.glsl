@@ -42,6 +42,10 @@ vec2 kinship(Surface s, Guide guide, vec2 place, float viewZ)
 }
 
 // Of the lobe that a signal belongs to: first those of each lobe, then what spherical harmonics have in addition.
-float lobeWeight(vec2 weights, int signal) { return (LOBES == 3 ? signal % 2 : LOBES - 1) == 0 ? weights.x : weights.y; }
+float lobeWeight(vec2 weights, int signal)
+{
+    int lobe = LOBES == 3 ? signal % 2 : LOBES - 1;
+    return lobe == 0 ? weights.x : weights.y;
+}
 
 #endif

@@ -58,7 +58,7 @@ struct Runner::Impl
     nrd::NrdIntegration integration;
     glm::ivec2 size{1};
     Setup setup;
-    size_t light = 0; // of one frame
+    size_t light = 0;    // of one frame
     bool isFresh = true; // nothing of earlier frames counts
     std::map<std::pair<size_t, Slot>, std::unique_ptr<test::Image>> images;
 };

@@ -47,13 +47,13 @@ struct Setup
     nrd::Denoiser denoiser = nrd::Denoiser::REBLUR_DIFFUSE_SPECULAR;
     nrd::NormalEncoding normalEncoding = nrd::NormalEncoding::R10_G10_B10_A2_UNORM;
     nrd::RoughnessEncoding roughnessEncoding = nrd::RoughnessEncoding::LINEAR;
-    uint32_t resolutionDivisor = 1;           // 1 or 2
+    uint32_t resolutionDivisor = 1;                  // 1 or 2
     nrd::FullSize fullSize = nrd::FullSize::NOTHING; // with a divisor of 2
-    bool hasHistory = true;                   // false: of SIGMA only
-    nrd::ReblurSettings settings;             // of REBLUR
-    nrd::RelaxSettings relaxSettings;         // of RELAX
-    nrd::SigmaSettings sigmaSettings;         // of SIGMA
-    nrd::ReferenceSettings referenceSettings; // of REFERENCE
+    bool hasHistory = true;                          // false: of SIGMA only
+    nrd::ReblurSettings settings;                    // of REBLUR
+    nrd::RelaxSettings relaxSettings;                // of RELAX
+    nrd::SigmaSettings sigmaSettings;                // of SIGMA
+    nrd::ReferenceSettings referenceSettings;        // of REFERENCE
 
     glm::ivec2 size{127, 63}; // resource, pixels
     glm::ivec2 rect{127, 63};
