@@ -151,7 +151,6 @@ private:
     std::vector<engine::Buffer> m_constants; // ring
     uint32_t m_slot = 0;
     std::array<Program, 4> m_programs; // by mode
-    bool m_hasMotion = false;
     float m_denoisingRange = 1000.0f;
     float m_sceneRadius = 1.0f;
     glm::uvec4 m_environmentConstants = glm::uvec4(0); // size, light index
