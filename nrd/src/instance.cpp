@@ -101,6 +101,24 @@ Result Instance::setCommonSettings(const CommonSettings& settings)
     return Result::SUCCESS;
 }
 
+namespace
+{
+// Half of a signal is no signal whose pixels could be averaged.
+template <class Settings> Error findCheckerboardError(const CompiledDenoiser& denoiser, const Settings& settings)
+{
+    Error error;
+    if constexpr (requires { settings.checkerboardMode; })
+    {
+        if (!denoiser.program.isDownsampled() || settings.checkerboardMode == CheckerboardMode::OFF) return error;
+        error.result = Result::INVALID_ARGUMENT;
+        error.text << "checkerboardMode is " << static_cast<uint32_t>(settings.checkerboardMode)
+                   << ", expected 0 (OFF) where DenoiserDesc::fullSize is EVERYTHING, as of identifier "
+                   << denoiser.identifier;
+    }
+    return error;
+}
+} // namespace
+
 template <class Settings> Result Instance::setDenoiserSettings(Identifier identifier, const Settings& settings)
 {
     CompiledDenoiser* denoiser = find(identifier);
@@ -114,6 +132,7 @@ template <class Settings> Result Instance::setDenoiserSettings(Identifier identi
         return fail(error);
     }
     if (const Error error = findError(settings)) return fail(error);
+    if (const Error error = findCheckerboardError(*denoiser, settings)) return fail(error);
     denoiser->settings = settings;
     return Result::SUCCESS;
 }

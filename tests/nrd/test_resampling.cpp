@@ -90,6 +90,25 @@ TEST_CASE("a denoiser that cannot be resampled refuses to be, and names the fiel
     }
 }
 
+TEST_CASE("half of a checkerboard is not averaged: refused, with the field, and traced pixels may be half", "[unit]")
+{
+    Messages messages;
+    InstancePtr instance;
+    REQUIRE(create(Denoiser::RELAX_DIFFUSE, FullSize::EVERYTHING, messages, &instance) == Result::SUCCESS);
+    RelaxSettings settings;
+    settings.checkerboardMode = CheckerboardMode::WHITE;
+    CHECK(SetDenoiserSettings(*instance, 0, settings) == Result::INVALID_ARGUMENT);
+    REQUIRE(messages.texts.size() == 1);
+    CHECK_THAT(messages.texts[0], containing("checkerboardMode is 2"));
+    settings.checkerboardMode = CheckerboardMode::OFF;
+    CHECK(SetDenoiserSettings(*instance, 0, settings) == Result::SUCCESS);
+
+    REQUIRE(create(kReblurBoth, FullSize::GUIDES_AND_OUTPUTS, messages, &instance) == Result::SUCCESS);
+    ReblurSettings half;
+    half.checkerboardMode = CheckerboardMode::BLACK;
+    CHECK(SetDenoiserSettings(*instance, 0, half) == Result::SUCCESS);
+}
+
 TEST_CASE("what keeps the full size is said of each image", "[unit]")
 {
     const InstancePtr nothing = make(kReblurBoth, FullSize::NOTHING);
