@@ -68,7 +68,8 @@ void Core::CreationMessage::report(void* userArg, Result, const char* text)
 
 Core::Core(rhi::Device& device, const IntegrationCreationDesc& desc, const InstanceCreationDesc& instanceDesc)
     : m_device(device), m_name(desc.name ? desc.name : "NRD"), m_desc(checked(desc)), m_instanceDesc(instanceDesc),
-      m_instance(createInstance()), m_memory(device, desc.deviceMemory),
+      m_denoisers(denoisersOf(instanceDesc)), m_instance(createInstance(instanceDesc, m_creationMessage)),
+      m_memory(device, desc.deviceMemory),
       m_pipelines(device, m_name.c_str(), description().pipelinesNum, {desc.findShader, desc.findShaderArg}),
       m_views(device), m_transferPipelines(device, m_name.c_str())
 {
@@ -90,22 +91,23 @@ UniqueInstance Core::createInstance(InstanceCreationDesc desc, CreationMessage& 
     return UniqueInstance(instance);
 }
 
-UniqueInstance Core::createInstance()
+std::vector<Core::DenoiserState> Core::denoisersOf(const InstanceCreationDesc& desc)
 {
-    if (m_denoisers.empty() && m_instanceDesc.denoisers)
-        for (uint32_t i = 0; i < m_instanceDesc.denoisersNum; i++)
-            m_denoisers.push_back({m_instanceDesc.denoisers[i], {}});
+    std::vector<DenoiserState> denoisers;
+    for (uint32_t i = 0; desc.denoisers && i < desc.denoisersNum; i++) denoisers.push_back({desc.denoisers[i], {}});
+    if (desc.confidenceTileSize > 0)
+        denoisers.push_back({{kConfidenceIdentifier, Denoiser::MAX_NUM, desc.confidenceTileSize, false}, {}});
+    return denoisers;
+}
+
+UniqueInstance Core::createScratchInstance()
+{
     std::vector<DenoiserDesc> denoisers;
     for (const DenoiserState& denoiser : m_denoisers)
         if (!denoiser.isConfidence()) denoisers.push_back(denoiser.desc);
-
     InstanceCreationDesc desc = m_instanceDesc;
-    if (desc.denoisers || !denoisers.empty()) desc.denoisers = denoisers.data();
-    UniqueInstance created = createInstance(desc, m_creationMessage);
-    const bool isKnown = !m_denoisers.empty() && m_denoisers.back().isConfidence();
-    if (desc.confidenceTileSize > 0 && !isKnown)
-        m_denoisers.push_back({{kConfidenceIdentifier, Denoiser::MAX_NUM, desc.confidenceTileSize, false}, {}});
-    return created;
+    desc.denoisers = denoisers.data();
+    return createInstance(desc, m_creationMessage);
 }
 
 void Core::createFrameResources()
@@ -145,7 +147,7 @@ void Core::createFrameResources()
 void Core::createDefaultPipelines()
 {
     // On an instance of its own: asking for dispatches advances the history of the denoisers that are asked.
-    const UniqueInstance scratch = createInstance();
+    const UniqueInstance scratch = createScratchInstance();
     std::vector<Identifier> identifiers;
     for (const DenoiserState& denoiser : m_denoisers) identifiers.push_back(denoiser.desc.identifier);
     CommonSettings settings = typicalSettings(m_desc.resourceWidth, m_desc.resourceHeight);

@@ -32,7 +32,7 @@ public:
     template <class Settings> void setDenoiserSettings(Identifier identifier, const Settings& settings)
     {
         DenoiserState& denoiser = find(identifier);
-        check(setSettings(*m_instance, identifier, settings));
+        check(setSettings(identifier, settings));
         denoiser.settings = settings;
     }
     void denoise(VkCommandBuffer commandBuffer, rhi::Span<const Identifier> identifiers, NrdUserPool& userPool,
@@ -86,7 +86,8 @@ private:
 
     const InstanceDesc& description() const { return GetInstanceDesc(*m_instance); }
     static UniqueInstance createInstance(InstanceCreationDesc desc, CreationMessage& message);
-    UniqueInstance createInstance();
+    static std::vector<DenoiserState> denoisersOf(const InstanceCreationDesc& desc);
+    UniqueInstance createScratchInstance(); // like the one there is
     void createFrameResources();
     void createDefaultPipelines();
     bool isTransientShared() const { return m_desc.isTransientMemoryShared || m_desc.transientMemory.memory; }
@@ -96,12 +97,12 @@ private:
     void recordTransfer(rhi::CommandBuffer& commands);
     bool isTransferPending() const { return m_transfer && m_transfer->isPending(); }
     DenoiserState& find(Identifier identifier);
-    template <class Settings> static Result setSettings(Instance& instance, Identifier identifier, const Settings& s)
+    template <class Settings> Result setSettings(Identifier identifier, const Settings& s)
     {
         if constexpr (std::is_same_v<Settings, ConfidenceSettings>)
-            return SetConfidenceSettings(instance, s);
+            return SetConfidenceSettings(*m_instance, s);
         else
-            return SetDenoiserSettings(instance, identifier, s);
+            return SetDenoiserSettings(*m_instance, identifier, s);
     }
     void check(Result result) const; // of the descriptor library
     void checkRequest(rhi::Span<const Identifier> identifiers, const NrdUserPool& userPool);

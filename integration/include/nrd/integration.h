@@ -108,9 +108,9 @@ struct IntegrationCreationDesc
     /// Where the pools' other memory comes from; null: vkAllocateMemory(). Buffers (constants, copies for the host) are
     /// small and the integration's own.
     DeviceMemoryCallbacks deviceMemory = {};
-    // For the development of shaders: a module in place of the library's for the permutation of that name (see
-    // PipelineDesc::shaderIdentifier), or none (null words). Asked whenever a pipeline is made, in Create() and
-    // Denoise(); the module is read before the next call, and has the same interface.
+    /// For the development of shaders: a module in place of the library's for the permutation of that name (see
+    /// PipelineDesc::shaderIdentifier), or none (null words). Asked whenever a pipeline is made, in Create() and
+    /// Denoise(); the module is read before the next call, and has the same interface.
     SPIRV (*findShader)(void* userArg, const char* shaderIdentifier) = nullptr;
     void* findShaderArg = nullptr;
 };
