@@ -3,6 +3,7 @@
 #include "engine/transfer.h"
 #include "measures.h"
 #include "renderer.h"
+#include "sample_device.h"
 #include "scene_cornell.h"
 #include "scene_shapes.h"
 
@@ -14,18 +15,6 @@ namespace
 {
 constexpr uint32_t kReferenceSamples = 256;
 constexpr const char* kDenoisers = "REBLUR_DIFFUSE_SPECULAR,RELAX_DIFFUSE_SPECULAR";
-
-engine::Device& device()
-{
-    static engine::Device instance(
-        []
-        {
-            engine::DeviceDesc desc = denoiserDeviceDesc();
-            desc.validation = true;
-            return desc;
-        }());
-    return instance;
-}
 
 void addLight(Scene& scene, const glm::vec3& position, const glm::vec3& intensity, float radius)
 {
@@ -51,20 +40,12 @@ Stage makeStage()
     return stage;
 }
 
-Picture toPicture(const Image& image)
-{
-    Picture picture(image.width, image.height, 3);
-    for (size_t c = 0; c < 3; ++c)
-        for (size_t i = 0; i < picture.pixelCount(); ++i) picture.planes[c][i] = image.rgba[i * 4 + c];
-    return picture;
-}
-
 Picture readComposed(DenoiseStage& stage)
 {
     engine::Image& source = stage.composed();
     Image picture(static_cast<int>(source.desc().width), static_cast<int>(source.desc().height));
-    picture.rgba = engine::readBackAs<float>(device(), source);
-    return toPicture(picture);
+    picture.rgba = engine::readBackAs<float>(test::sampleDevice(), source);
+    return test::toPicture(picture);
 }
 
 std::optional<double> meanConfidence(DenoiseStage& stage, Lobe lobe)
@@ -72,7 +53,7 @@ std::optional<double> meanConfidence(DenoiseStage& stage, Lobe lobe)
     engine::Image* image = stage.confidence(lobe);
     if (!image) return {};
     double sum = 0.0;
-    const std::vector<uint8_t> texels = engine::readBackAs<uint8_t>(device(), *image);
+    const std::vector<uint8_t> texels = engine::readBackAs<uint8_t>(test::sampleDevice(), *image);
     for (uint8_t texel : texels) sum += double(texel) / 255.0;
     return sum / double(texels.size());
 }
@@ -85,12 +66,13 @@ std::unique_ptr<Renderer> makeRenderer(const Stage& stage, Options& options)
     options.sets = parseDenoiserSets(kDenoisers);
     options.hasConfidence = true;
     settleDenoisers(options, stage.scene);
-    auto renderer = std::make_unique<Renderer>(device(), stage, options);
+    auto renderer = std::make_unique<Renderer>(test::sampleDevice(), stage, options);
     Options without = options;
     without.hasConfidence = false;
     for (size_t i = 0; i < options.sets.size(); ++i)
-        renderer->setStage(options.sets.size() + i, std::make_unique<DenoiseStage>(
-                                                        device(), denoiseDesc(without, stage.scene, options.sets[i])));
+        renderer->setStage(
+            options.sets.size() + i,
+            std::make_unique<DenoiseStage>(test::sampleDevice(), denoiseDesc(without, stage.scene, options.sets[i])));
     return renderer;
 }
 
@@ -143,12 +125,12 @@ std::vector<Comparison> runSwitchedLight()
             recorded[i].push_back(recordFrame(renderer->stage(i), frame >= kSwitchFrame));
     }
     const Picture reference =
-        toPicture(composedOf(renderer->traceReference(renderer->readFrame(), kReferenceSamples, [](double) {})));
+        test::toPicture(composedOf(renderer->traceReference(renderer->readFrame(), kReferenceSamples, [](double) {})));
     std::vector<Comparison> comparisons;
     for (size_t i = 0; i < count; ++i)
         comparisons.push_back(
             {options.sets[i].lobes->name, measure(recorded[i], reference), measure(recorded[count + i], reference)});
-    CHECK(device().validationMessageCount() == 0);
+    CHECK(test::sampleDevice().validationMessageCount() == 0);
     return comparisons;
 }
 } // namespace confidence

@@ -1,34 +1,12 @@
 #include "render_fixture.h"
 
 #include "catch.h"
+#include "sample_device.h"
 
 using namespace sample;
 
 namespace test
 {
-namespace
-{
-engine::Device& device()
-{
-    static engine::Device instance(
-        []
-        {
-            engine::DeviceDesc desc = denoiserDeviceDesc();
-            desc.validation = true;
-            return desc;
-        }());
-    return instance;
-}
-
-Picture toPicture(const Image& image)
-{
-    Picture picture(image.width, image.height, 3);
-    for (size_t c = 0; c < 3; ++c)
-        for (size_t i = 0; i < picture.pixelCount(); ++i) picture.planes[c][i] = image.rgba[i * 4 + c];
-    return picture;
-}
-} // namespace
-
 Options renderOptions(const char* denoiser, bool hasPsr)
 {
     Options options;
@@ -41,11 +19,12 @@ Options renderOptions(const char* denoiser, bool hasPsr)
 }
 
 Run::Run(Scene scene, std::optional<Environment> sky, const Options& options)
-    : m_options(options), m_stage{std::move(scene), std::move(sky), false, {}}, m_renderer(device(), m_stage, m_options)
+    : m_options(options), m_stage{std::move(scene), std::move(sky), false, {}},
+      m_renderer(sampleDevice(), m_stage, m_options)
 {
 }
 
-Run::~Run() { CHECK(device().validationMessageCount() == 0); }
+Run::~Run() { CHECK(sampleDevice().validationMessageCount() == 0); }
 
 void Run::renderFrames(uint32_t count)
 {

@@ -3,6 +3,7 @@
 #include "engine/transfer.h"
 #include "gltf_builder.h"
 #include "long_form.h"
+#include "sample_device.h"
 #include "shaders/view_modes.h"
 #include "window/recorder.h"
 #include "window/views.h"
@@ -15,14 +16,6 @@ using namespace sample;
 namespace
 {
 constexpr double kFrame = 1.0 / 60.0;
-
-engine::Device& device()
-{
-    static engine::DeviceDesc desc = [] { return denoiserDeviceDesc(); }();
-    desc.validation = true;
-    static engine::Device device(desc);
-    return device;
-}
 
 Options optionsFor(const char* scene, const char* denoiser)
 {
@@ -37,15 +30,15 @@ Options optionsFor(const char* scene, const char* denoiser)
 Viewer makeViewer(const char* scene, const char* denoiser)
 {
     const Options options = optionsFor(scene, denoiser);
-    return Viewer(device(), loadStage(options), options, 2);
+    return Viewer(test::sampleDevice(), loadStage(options), options, 2);
 }
 
 // The picture as bytes.
 std::string show(Viewer& viewer)
 {
-    engine::submitAndWait(device(), [&](VkCommandBuffer cmd) { viewer.recordPicture(cmd, 0); });
+    engine::submitAndWait(test::sampleDevice(), [&](VkCommandBuffer cmd) { viewer.recordPicture(cmd, 0); });
     std::string bytes;
-    for (std::byte b : engine::readBack(device(), viewer.picture())) bytes += std::to_integer<char>(b);
+    for (std::byte b : engine::readBack(test::sampleDevice(), viewer.picture())) bytes += std::to_integer<char>(b);
     return bytes;
 }
 
@@ -92,7 +85,7 @@ size_t walkSettings(Viewer& viewer)
             }
             ++count;
         }
-    device().waitIdle();
+    test::sampleDevice().waitIdle();
     return count;
 }
 } // namespace
@@ -108,7 +101,7 @@ TEST_CASE("all settings of the panel can be walked through while frames are rend
         count += walkSettings(viewer);
     }
     CHECK(count > 180);
-    CHECK(device().validationMessageCount() == 0);
+    CHECK(test::sampleDevice().validationMessageCount() == 0);
 }
 
 TEST_CASE("a pair of settings that bound each other is refused and undone", "[gpu]")
@@ -151,7 +144,7 @@ TEST_CASE("every view of every kind of denoiser is drawn", "[gpu]")
         show(viewer);
     }
     CHECK_FALSE(viewer.wasRefused());
-    CHECK(device().validationMessageCount() == 0);
+    CHECK(test::sampleDevice().validationMessageCount() == 0);
 }
 
 TEST_CASE("left of the split is A, right of it B", "[gpu]")
@@ -247,7 +240,7 @@ TEST_CASE("tracing, lights and size can be changed between frames", "[gpu]")
     CHECK(viewer.advance(kFrame));
     CHECK(viewer.state.lobes == Lobes::Both);
     CHECK_FALSE(viewer.message().empty());
-    CHECK(device().validationMessageCount() == 0);
+    CHECK(test::sampleDevice().validationMessageCount() == 0);
 }
 
 TEST_CASE("mirrors are followed and edges smoothed as soon as that is asked for", "[gpu]")
@@ -268,14 +261,14 @@ TEST_CASE("mirrors are followed and edges smoothed as soon as that is asked for"
     viewer.state.hasPsr = viewer.state.hasTemporalAa = false;
     CHECK(viewer.advance(kFrame));
     CHECK(viewer.readPicked().viewZ == Approx(mirror));
-    CHECK(device().validationMessageCount() == 0);
+    CHECK(test::sampleDevice().validationMessageCount() == 0);
 }
 
 TEST_CASE("what the viewer records is a capture", "[gpu]")
 {
     const test::TemporaryFolder folder;
     Viewer viewer = makeViewer("panes", "REBLUR_DIFFUSE_SPECULAR+SIGMA_SHADOW");
-    Recorder recorder(device());
+    Recorder recorder(test::sampleDevice());
     viewer.advance(kFrame);
     recorder.startCapture(viewer, folder / "capture");
     recorder.startSequence(folder / "sequence");
