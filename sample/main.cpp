@@ -174,10 +174,7 @@ void run(Options options)
     }
     Stage stage = loadStage(options);
     for (std::string& note : settleDenoisers(options, stage.scene)) stage.notes.push_back(std::move(note));
-    engine::DeviceDesc deviceDesc = denoiserDeviceDesc();
-    deviceDesc.device = options.device;
-    deviceDesc.validation = options.validation;
-    const engine::Device device(deviceDesc);
+    const engine::Device device(deviceDescOf(options));
     for (const std::string& note : stage.notes) std::printf("%s\n", note.c_str());
     if (!options.demo.empty()) std::filesystem::create_directories(options.demo);
     {
@@ -186,9 +183,7 @@ void run(Options options)
         printMemory(options, renderer);
         Run(options, renderer).execute();
     }
-    if (device.validationMessageCount() > 0)
-        throw engine::Error("the validation layer reported " + std::to_string(device.validationMessageCount()) +
-                            " messages");
+    checkValidation(device);
 }
 
 void openWindow([[maybe_unused]] const Options& options)

@@ -105,6 +105,20 @@ DenoiseDesc denoiseDesc(const Options& options, const Scene& scene, const Denois
     return desc;
 }
 
+engine::DeviceDesc deviceDescOf(const Options& options)
+{
+    engine::DeviceDesc desc = denoiserDeviceDesc();
+    desc.device = options.device;
+    desc.validation = options.validation;
+    return desc;
+}
+
+void checkValidation(const engine::Device& device)
+{
+    if (const uint32_t count = device.validationMessageCount())
+        throw engine::Error("the validation layer reported " + std::to_string(count) + " messages");
+}
+
 Stage loadStage(const Options& options)
 {
     Stage stage;

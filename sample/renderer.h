@@ -20,6 +20,12 @@ struct Stage
     std::vector<std::string> notes; // one line for each default that was taken
 };
 
+/// The device that the options name; a window adds what it requires.
+engine::DeviceDesc deviceDescOf(const Options& options);
+
+/// Throws engine::Error if the validation layer has reported anything.
+void checkValidation(const engine::Device& device);
+
 /// Reads scene and environment; throws SceneError or FileError.
 Stage loadStage(const Options& options);
 

@@ -52,6 +52,11 @@ Picture pictureOf(const std::vector<float>& values, const Mask& surface, const P
             picture.planes[c][i] = counts(surface, i) ? values[i * 4 + first + c] : sky;
     return picture;
 }
+
+Picture overlayOf(const std::vector<float>& values, const engine::ImageDesc& desc)
+{
+    return pictureOf(values, {}, Picture(static_cast<int>(desc.width), static_cast<int>(desc.height), 4), 0.0f);
+}
 } // namespace
 
 std::shared_ptr<engine::Device> createReplayDevice(const std::string& device, bool validation)
@@ -308,9 +313,8 @@ ReplayedFrame ReplayGpu::read(const Planes& frame, bool isHistoryLength)
             const std::vector<float> values = engine::readBackAs<float>(*m_device, reading.values);
             const SlotRow& row = slot.row;
             Signals& signals = reading.isExtracted ? result.extracted : result.signals;
-            const engine::ImageDesc& desc = reading.values.desc();
-            const Picture overlay(static_cast<int>(desc.width), static_cast<int>(desc.height), 4);
-            if (row.type == nrd::ResourceType::OUT_VALIDATION) result.overlay = pictureOf(values, {}, overlay, 0.0f);
+            if (row.type == nrd::ResourceType::OUT_VALIDATION)
+                result.overlay = overlayOf(values, reading.values.desc());
             const auto isWanted = [&](Signal signal) { return contains(m_denoiser.signals, signal); };
             if (row.radiance && isWanted(*row.radiance))
                 signals[*row.radiance] = pictureOf(values, surface, colour, 0.0f);

@@ -153,10 +153,7 @@ void runTests(const Options& options)
 {
     const std::vector<fs::path> folders = findTests(options.tests);
     if (folders.empty()) throw FileError(options.tests.string() + " has no test: no folder in it has a " + kTestFile);
-    engine::DeviceDesc desc = denoiserDeviceDesc();
-    desc.device = options.device;
-    desc.validation = options.validation;
-    const engine::Device device(desc);
+    const engine::Device device(deviceDescOf(options));
     for (const fs::path& folder : folders) try
         {
             const TestCase test = readTest(folder);
@@ -172,8 +169,6 @@ void runTests(const Options& options)
         {
             throw FileError(folder.filename().string() + ": " + error.what());
         }
-    if (device.validationMessageCount() > 0)
-        throw engine::Error("the validation layer reported " + std::to_string(device.validationMessageCount()) +
-                            " messages");
+    checkValidation(device);
 }
 } // namespace sample

@@ -24,9 +24,7 @@ Options windowOptions(Options options)
 
 engine::DeviceDesc deviceDesc(const Options& options, const window::Window& window)
 {
-    engine::DeviceDesc desc = denoiserDeviceDesc();
-    desc.device = options.device;
-    desc.validation = options.validation;
+    engine::DeviceDesc desc = deviceDescOf(options);
     window.addRequirements(desc);
     return desc;
 }
@@ -53,9 +51,7 @@ void App::run()
     m_recorder.stopTest();
     m_recorder.stopCapture();
     m_device.waitIdle();
-    if (m_device.validationMessageCount() > 0)
-        throw engine::Error("the validation layer reported " + std::to_string(m_device.validationMessageCount()) +
-                            " messages");
+    checkValidation(m_device);
 }
 
 // A script's frames are all of the same length, so that what it records is the same each time.
