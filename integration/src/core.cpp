@@ -67,8 +67,9 @@ void Core::CreationMessage::report(void* userArg, Result, const char* text)
 }
 
 Core::Core(rhi::Device& device, const IntegrationCreationDesc& desc, const InstanceCreationDesc& instanceDesc)
-    : m_device(device), m_name(desc.name ? desc.name : "NRD"), m_desc(checked(desc)), m_instanceDesc(instanceDesc),
-      m_denoisers(denoisersOf(instanceDesc)), m_instance(createInstance(instanceDesc, m_creationMessage)),
+    : m_device(device), m_name(desc.name ? desc.name : "NRD"), m_desc(checked(desc)),
+      m_instanceDesc(forDevice(instanceDesc, device)), m_denoisers(denoisersOf(instanceDesc)),
+      m_instance(createInstance(m_instanceDesc, m_creationMessage)),
       m_memory(device, desc.deviceMemory),
       m_pipelines(device, m_name.c_str(), description().pipelinesNum, {desc.findShader, desc.findShaderArg}),
       m_views(device), m_transferPipelines(device, m_name.c_str())
@@ -80,6 +81,12 @@ Core::Core(rhi::Device& device, const IntegrationCreationDesc& desc, const Insta
     m_pools = std::make_unique<Pools>(m_device, pools, description());
     createFrameResources();
     if (desc.createDefaultPipelines) createDefaultPipelines();
+}
+
+InstanceCreationDesc Core::forDevice(InstanceCreationDesc desc, const rhi::Device& device)
+{
+    desc.isSoftwareDevice = desc.isSoftwareDevice || device.info().isSoftware;
+    return desc;
 }
 
 UniqueInstance Core::createInstance(InstanceCreationDesc desc, CreationMessage& message)

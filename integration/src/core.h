@@ -85,6 +85,7 @@ private:
     };
 
     const InstanceDesc& description() const { return GetInstanceDesc(*m_instance); }
+    static InstanceCreationDesc forDevice(InstanceCreationDesc desc, const rhi::Device& device);
     static UniqueInstance createInstance(InstanceCreationDesc desc, CreationMessage& message);
     static std::vector<DenoiserState> denoisersOf(const InstanceCreationDesc& desc);
     UniqueInstance createScratchInstance(); // like the one there is

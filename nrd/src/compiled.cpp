@@ -177,7 +177,7 @@ Compiled::Compiled(Memory* memory)
 void compile(const InstanceCreationDesc& desc, Compiled& compiled)
 {
     Memory* memory = compiled.denoisers.get_allocator().resource();
-    PipelineTable pipelines(desc.normalEncoding, desc.roughnessEncoding, memory);
+    PipelineTable pipelines(desc, memory);
     compiled.denoisers.reserve(desc.denoisersNum + 1);
     const auto add = [&](Identifier identifier, uint32_t divisor, FullSize fullSize, const VariantOfFamily& which)
     {

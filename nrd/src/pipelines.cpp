@@ -6,7 +6,7 @@ namespace nrd
 {
 uint32_t PipelineTable::constantNum(const Block& block)
 {
-    constexpr uint32_t kFixedNum = 3; // the encodings and the step
+    constexpr uint32_t kFixedNum = 4; // the encodings, the kind of device, and the step
     return block.hasConstants ? kFixedNum + static_cast<uint32_t>(block.switches.size()) : 0;
 }
 
@@ -65,6 +65,7 @@ void PipelineTable::finish(std::pmr::vector<PipelineDesc>& pipelines,
             {
                 constants.push_back({SPEC_NORMAL_ENCODING, static_cast<uint32_t>(m_normalEncoding)});
                 constants.push_back({SPEC_ROUGHNESS_ENCODING, static_cast<uint32_t>(m_roughnessEncoding)});
+                constants.push_back({SPEC_IS_SOFTWARE, m_isSoftwareDevice ? 1u : 0u});
                 constants.push_back({SPEC_STEP, block.step});
             }
             for (uint32_t i = 0; i < block.switches.size(); i++)

@@ -10,8 +10,9 @@ namespace nrd
 class PipelineTable
 {
 public:
-    PipelineTable(NormalEncoding normalEncoding, RoughnessEncoding roughnessEncoding, std::pmr::memory_resource* memory)
-        : m_blocks(memory), m_normalEncoding(normalEncoding), m_roughnessEncoding(roughnessEncoding)
+    PipelineTable(const InstanceCreationDesc& desc, std::pmr::memory_resource* memory)
+        : m_blocks(memory), m_normalEncoding(desc.normalEncoding), m_roughnessEncoding(desc.roughnessEncoding),
+          m_isSoftwareDevice(desc.isSoftwareDevice)
     {
     }
 
@@ -42,5 +43,6 @@ private:
     uint32_t m_pipelineNum = 0;
     NormalEncoding m_normalEncoding;
     RoughnessEncoding m_roughnessEncoding;
+    bool m_isSoftwareDevice;
 };
 } // namespace nrd

@@ -10,7 +10,7 @@
 
 const ivec2 kHalo = ivec2(10, 18); // an 8x16 group and one texel round it
 
-shared vec4 sNormalViewZ[kHalo.y][kHalo.x]; // viewZ: 0 = out of range
+shared uvec2 sGuides[kHalo.y][kHalo.x]; // normal; viewZ, 0 = out of range
 // Half floats: Y and Co, Cg of the input where no pre-pass ran, and the distance to what is reflected, 0 = unknown.
 #define SAMPLE_NUM (HAS_CAP == 1 ? LOBE_NUM : 1) // occlusion has no colour
 shared uvec2 sSamples[SAMPLE_NUM][kHalo.y][kHalo.x];
@@ -75,21 +75,22 @@ void loadNeighbourhood(ivec2 group)
         float viewZ = decodeViewZ(texelFetch(gIn_ViewZ, guideTexel(pixel), 0).x);
         bool isUsed = isInRange(viewZ);
         vec3 N = decodeGuide(texelFetch(gIn_NormalRoughness, guideTexel(pixel), 0)).N;
-        sNormalViewZ[local.y][local.x] = vec4(N, isUsed ? viewZ : 0.0);
+        sGuides[local.y][local.x] = uvec2(packDirection(N), floatBitsToUint(isUsed ? viewZ : 0.0));
         loadSamples(local, pixel, isUsed);
     }
 }
 
+// Normal and viewZ.
 vec4 neighbour(ivec2 offset)
 {
     ivec2 local = ivec2(gl_LocalInvocationID.xy) + 1 + offset;
-    return sNormalViewZ[local.y][local.x];
+    uvec2 guide = sGuides[local.y][local.x];
+    return vec4(unpackDirection(guide.x), uintBitsToFloat(guide.y));
 }
 
-vec3 meanNormal()
+vec3 meanNormal(vec3 own)
 {
-    return 0.25 * (neighbour(ivec2(-1, -1)).xyz + neighbour(ivec2(0, -1)).xyz + neighbour(ivec2(-1, 0)).xyz +
-                   neighbour(ivec2(0)).xyz);
+    return 0.25 * (neighbour(ivec2(-1, -1)).xyz + neighbour(ivec2(0, -1)).xyz + neighbour(ivec2(-1, 0)).xyz + own);
 }
 
 const ivec2 kNextPixels[4] = ivec2[](ivec2(-1, 0), ivec2(1, 0), ivec2(0, -1), ivec2(0, 1));
@@ -120,7 +121,7 @@ Surface makeSurface(ivec2 pixel)
     s.V = viewDirection(s.X);
     s.guide = decodeGuide(texelFetch(gIn_NormalRoughness, guideTexel(pixel), 0));
     s.NoV = abs(dot(s.guide.N, s.V));
-    s.meanN = meanNormal();
+    s.meanN = meanNormal(s.guide.N);
     s.likeNeighbours = kHasPrepass || kIsBounded ? 0u : findLikeNeighbours(s);
     float share = 0.0;
     if (g.hasDisocclusionMix != 0u) share = textureLod(sampler2D(gIn_DisocclusionMix, gLinearClamp), s.uv, 0.0).x;

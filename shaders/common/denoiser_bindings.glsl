@@ -7,6 +7,7 @@
 
 layout(constant_id = SPEC_NORMAL_ENCODING) const int kNormalEncoding = NRD_NORMAL_R10G10B10A2_UNORM;
 layout(constant_id = SPEC_ROUGHNESS_ENCODING) const int kRoughnessEncoding = NRD_ROUGHNESS_LINEAR;
+layout(constant_id = SPEC_IS_SOFTWARE) const bool kIsSoftware = false;
 layout(constant_id = SPEC_HAS_PREPASS) const bool kHasPrepass = true;
 layout(constant_id = SPEC_HAS_STABILIZATION) const bool kHasStabilization = true;
 layout(constant_id = SPEC_HAS_MATERIAL_TEST) const bool kHasMaterialTest = false;

@@ -79,7 +79,7 @@ Signal blurLobe(texture2D t, texture2D second, Pixel p, Lobe lobe, bool isSpecul
     bool isInside = isOnScreen(kernel), isSettled = isInside && narrowing < kSettled;
     Kernel outer = scaled(kernel, isSettled ? kSettledRadius : 1.0);
     float gaussian = isSettled ? 1.0 : kTaps[0].z;
-    if (isInside)
+    if (isInside && !kIsSoftware)
         addTaps(sum, centre, t, second, p, lobe, isSpecular, outer, w, lumaTolerance, false, 0, gaussian);
     else
         addTaps(sum, centre, t, second, p, lobe, isSpecular, outer, w, lumaTolerance, true, 0, gaussian);

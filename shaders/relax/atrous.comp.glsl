@@ -48,7 +48,7 @@ ivec2 tapOffset(int i)
 
 // The first step looks at its neighbours' guides twice, for the variance and to filter, so a group decodes them once.
 // Signals, and guides at larger strides, come faster through the texture cache.
-const bool kAreGuidesShared = kStep == 0;
+const bool kAreGuidesShared = kStep == 0 && !kIsSoftware;
 const ivec2 kGroup = ivec2(8, 16);
 const int kHalo = 2;
 const ivec2 kArea = kGroup + 2 * kHalo;

@@ -33,103 +33,54 @@ layout(set = SET_RESOURCES, binding = FIRST_OUT + SIGNAL_NUM + 1) uniform writeo
 layout(set = SET_RESOURCES, binding = FIRST_OUT + SIGNAL_NUM + 2) uniform writeonly image2D gOut_PrevViewZ;
 layout(set = SET_RESOURCES, binding = FIRST_OUT + SIGNAL_NUM + 3) uniform writeonly image2D gOut_PrevNormalRoughness;
 
+#define PAIR_NUM (LOBE_NUM + 1) // per lobe: fast, noisy; then what the fast ones differ from the long history by
 #include "luma_window.glsl"
 
+const int kChange = LOBE_NUM;
 const float kRelitFrameNum = 4.0; // what a mean over 5x5 noisy pixels is worth
 
-// A group may hold only a small share of a multiprocessor's shared memory, or too few of them run side by side to hide
-// latencies. So lumas are kept as the half floats they are stored as.
-shared uvec2 sLumas[kHalo.y][kHalo.x]; // per lobe: fast, noisy
-shared uint sSlow[kHalo.y][kHalo.x];   // both lobes
-
-// Unrolled and without a branch, so that all reads are under way at once; the last texel is loaded repeatedly.
-void loadLumas(ivec2 group)
+void readLumas(ivec2 pixel, out vec2 lumas[PAIR_NUM])
 {
-    const int kNum = kHalo.x * kHalo.y;
-    [[unroll]] for (int first = 0; first < kNum; first += 128)
-    {
-        int i = min(first + int(gl_LocalInvocationIndex), kNum - 1);
-        ivec2 local = ivec2(i % kHalo.x, i / kHalo.x);
-        ivec2 pixel = group + local - kRadius;
-        ivec2 inside = clampToRect(pixel);
-        float viewZ = decodeViewZ(texelFetch(gIn_ViewZ, guideTexel(inside), 0).x);
-        vec4 lumas = texelFetch(gIn_Fast, inside, 0);
-        lumas = pixel == inside && isInRange(viewZ) ? lumas : vec4(kInvalid);
-        sLumas[local.y][local.x] = uvec2(packHalf2x16(lumas.xy), packHalf2x16(lumas.zw));
-        sSlow[local.y][local.x] = packHalf2x16(slowLumas(inside));
-    }
+    vec4 stored = texelFetch(gIn_Fast, pixel, 0);
+    lumas[0] = stored.xy;
+    if (LOBE_NUM == 2) lumas[LOBE_NUM - 1] = stored.zw;
+    lumas[kChange] = stored.xz - slowLumas(pixel);
 }
 
-// Measured at a time: fast and noisy of one lobe, or what the fast one of both differs from the long history by.
-const int kChange = 2;
-
-vec2 valueAt(int kind, ivec2 at)
+// Valid texels by row of the window, and what of the 25 is missing.
+struct Counts
 {
-    uvec2 lumas = sLumas[at.y][at.x];
-    if (kind != kChange) return unpackHalf2x16(lumas[kind]);
-    return vec2(unpackHalf2x16(lumas.x).x, unpackHalf2x16(lumas.y).x) - unpackHalf2x16(sSlow[at.y][at.x]);
-}
-
-bool isValid(ivec2 at) { return unpackHalf2x16(sLumas[at.y][at.x].x).x != kInvalid; }
-
-struct Spread
-{
-    vec2 mean;
-    vec2 squares; // of differences from the mean
+    float rows[5];
+    float missing;
 };
 
-// Of the five valid texels, or less, of a row; mean, then squares.
-shared vec4 sRows[kHalo.y][8];
-shared float sCount[kHalo.y][8];
-
-// Differences from the row's own mean: sums of squares have no digits left for a variance on bright flat walls.
-void measureRow(int kind, ivec2 first)
+Counts countTexels()
 {
-    vec2 mean = vec2(0.0), squares = vec2(0.0);
-    float count = 0.0;
-    for (int x = 0; x < 5; x++)
+    Counts counts;
+    counts.missing = 25.0;
+    [[unroll]] for (int y = 0; y < 5; y++)
     {
-        ivec2 at = first + ivec2(x, 0);
-        if (!isValid(at)) continue;
-        mean += valueAt(kind, at);
-        count += 1.0;
+        counts.rows[y] = rowCount(ivec2(gl_LocalInvocationID.xy) + ivec2(0, y));
+        counts.missing -= counts.rows[y];
     }
-    mean /= max(count, 1.0);
-    for (int x = 0; x < 5; x++)
-    {
-        ivec2 at = first + ivec2(x, 0);
-        vec2 difference = valueAt(kind, at) - mean;
-        if (isValid(at)) squares += difference * difference;
-    }
-    sRows[first.y][first.x] = vec4(mean, squares);
-    sCount[first.y][first.x] = count;
+    return counts;
 }
 
-// 5x5; what is out of range counts as the centre. Squares of parts add up with those of their means. Has barriers: what
-// is measured takes the place of what was measured before.
-Spread measure(int kind)
+// What is out of range counts as the centre. Squares of parts add up with those of their means.
+Spread measure(int pair, Counts counts)
 {
-    barrier();
-    for (int i = int(gl_LocalInvocationIndex); i < 8 * kHalo.y; i += 128) measureRow(kind, ivec2(i % 8, i / 8));
-    barrier();
     ivec2 local = ivec2(gl_LocalInvocationID.xy);
-    vec2 centre = valueAt(kind, local + kRadius);
-    vec2 sum = vec2(0.0);
-    float missing = 25.0;
-    for (int y = 0; y < 5; y++)
+    vec2 centre = texelAt(pair, local + kRadius), sum = vec2(0.0), means[5];
+    [[unroll]] for (int y = 0; y < 5; y++)
     {
-        float count = sCount[local.y + y][local.x];
-        sum += count * (sRows[local.y + y][local.x].xy - centre);
-        missing -= count;
+        means[y] = rowMean(pair, local + ivec2(0, y));
+        sum += counts.rows[y] * (means[y] - centre);
     }
     vec2 mean = centre + sum / 25.0;
-    vec2 squares = missing * (centre - mean) * (centre - mean);
-    for (int y = 0; y < 5; y++)
-    {
-        vec4 row = sRows[local.y + y][local.x];
-        squares += row.zw + sCount[local.y + y][local.x] * (row.xy - mean) * (row.xy - mean);
-    }
-    return Spread(mean, squares);
+    vec2 squares = counts.missing * (centre - mean) * (centre - mean);
+    [[unroll]] for (int y = 0; y < 5; y++)
+        squares += rowSquares(pair, local + ivec2(0, y)) + counts.rows[y] * (means[y] - mean) * (means[y] - mean);
+    return Spread(mean, sqrt(squares / 25.0));
 }
 
 struct Moments
@@ -138,15 +89,19 @@ struct Moments
     vec4 sigma;
     vec2 slow;        // mean of the long history, per lobe
     vec2 changeSigma; // of what the short history differs from it by
+    // Below 1 where less of the window is in range than at the picture's corner: a pixel alone in the sky is its own
+    // neighbourhood, whose noise is no change.
+    float share;
 };
 
 Moments measureLumas()
 {
-    Spread change = measure(kChange), first = measure(0), second = first;
-    if (LOBE_NUM == 2) second = measure(1);
+    Counts counts = countTexels();
+    Spread change = measure(kChange, counts), first = measure(0, counts), second = first;
+    if (LOBE_NUM == 2) second = measure(LOBE_NUM - 1, counts);
     vec4 mean = vec4(first.mean, second.mean);
-    return Moments(mean, sqrt(vec4(first.squares, second.squares) / 25.0), mean.xz - change.mean,
-                   sqrt(change.squares / 25.0));
+    return Moments(mean, vec4(first.sigma, second.sigma), mean.xz - change.mean, change.sigma,
+                   min((25.0 - counts.missing) / 9.0, 1.0));
 }
 
 float fixTapWeight(Pixel p, Lobe lobe, bool isSpecular, ivec2 pixel, Weights w)
@@ -174,8 +129,10 @@ Signal fixHistory(texture2D t, texture2D second, Pixel p, Lobe lobe, bool isSpec
     Signal sum = scaled(centre, 1.0 + n);
     float weightSum = 1.0 + n;
     // Row by row, without a branch round a read, so that those of a row are under way at once.
+    const int kTapsAtOnce = kIsSoftware ? 1 : 5;
     [[dont_unroll]] for (int y = -2; y <= 2; y++)
-    [[unroll]] for (int x = -2; x <= 2; x++)
+    [[dont_unroll]] for (int first = -2; first <= 2; first += kTapsAtOnce)
+    [[unroll]] for (int x = first; x < first + kTapsAtOnce; x++)
     {
         ivec2 pixel = mirrorPixel(position + ivec2(x, y) * stride);
         bool isTap = x != 0 || y != 0;
@@ -229,15 +186,6 @@ float pullOf(float slow, float clamped, float fast)
     return abs(way) > kEps ? saturate((clamped - slow) / way) : 0.0;
 }
 
-// Below 1 where less of the window is in range than at the picture's corner: a pixel alone in the sky is its own
-// neighbourhood, whose noise is no change. Counted again, which costs less than a register for the whole shader.
-float windowShare()
-{
-    float count = 0.0;
-    for (int y = 0; y < 5; y++) count += sCount[gl_LocalInvocationID.y + y][gl_LocalInvocationID.x];
-    return min(count / 9.0, 1.0);
-}
-
 // How far a difference of means is more than noise, by its standard error; neighbours that share samples count as 16 of
 // the 25 pixels.
 float excessAmount(float difference, float sigma, float noisySigma, float share)
@@ -249,14 +197,14 @@ float excessAmount(float difference, float sigma, float noisySigma, float share)
 // By how much light has changed, as means of 5x5 pixels show it, in which detail cancels out. A great change shows in
 // the noisy present at once, a smaller one in the fast history later. Samples vary as much as they did over time,
 // sampleSigma: where rare ones carry the light, a window without any is dark and calm, and no change.
-float changeAmount(int lobe, float sampleSigma, Moments m, float share)
+float changeAmount(int lobe, float sampleSigma, Moments m)
 {
     float noisySigma = max(m.sigma[2 * lobe + 1], sampleSigma);
     // In the dark nothing is noisy. If that alone made it easier to go dark than to light up, what blinks would lose up
     // to half of its energy; a quarter of what samples vary by keeps it, and costs a frame when a light goes off.
-    float presentSigma = max(m.sigma[2 * lobe + 1], mix(1.0, 0.25, share) * sampleSigma);
-    return max(excessAmount(m.mean[2 * lobe] - m.slow[lobe], m.changeSigma[lobe], presentSigma, share),
-               excessAmount(m.mean[2 * lobe + 1] - m.slow[lobe], noisySigma, noisySigma, share));
+    float presentSigma = max(m.sigma[2 * lobe + 1], mix(1.0, 0.25, m.share) * sampleSigma);
+    return max(excessAmount(m.mean[2 * lobe] - m.slow[lobe], m.changeSigma[lobe], presentSigma, m.share),
+               excessAmount(m.mean[2 * lobe + 1] - m.slow[lobe], noisySigma, noisySigma, m.share));
 }
 
 // A history under the light that its neighbourhood has now: dimmed or raised as a whole, so that detail stays and noise
@@ -267,10 +215,10 @@ float relight(float slow, int lobe, Moments m)
     return now < before ? slow * now / before : slow + now - before;
 }
 
-Lumas bound(int lobe, bool isSpecular, float slow, float amount, Moments m, float share)
+Lumas bound(int lobe, bool isSpecular, float slow, float amount, Moments m)
 {
     ivec2 local = ivec2(gl_LocalInvocationID.xy) + kRadius;
-    float fast = valueAt(lobe, local).x;
+    float fast = texelAt(lobe, local).x;
     float mean = m.mean[2 * lobe], sigma = m.sigma[2 * lobe] * g.fastClampSigmaScale;
     // Widened to the centre's own fast value, which keeps bright details alive.
     float clamped = clamp(slow, min(mean - sigma, fast), max(mean + sigma, fast));
@@ -279,7 +227,7 @@ Lumas bound(int lobe, bool isSpecular, float slow, float amount, Moments m, floa
     float pull = pullOf(slow, clamped, fast);
 
     float present = m.mean[2 * lobe + 1];
-    float push = 10.0 * g.relaxAntilag.x * abs(fast - slow) * pull * (isSpecular ? 0.33 : 1.0) * share;
+    float push = 10.0 * g.relaxAntilag.x * abs(fast - slow) * pull * (isSpecular ? 0.33 : 1.0) * m.share;
     float lit = relight(slow, lobe, m);
     return Lumas(mix(moveTowards(clamped, present, push), lit, amount),
                  mix(moveTowards(fast, present, push), lit, amount));
@@ -290,9 +238,8 @@ float boundSignal(inout Signal signal, int lobe, bool isSpecular, inout float n,
 {
     float slow = luma(signal);
     if (n < g.historyFixFrameNum) return slow; // what was just filled in is the best there is
-    float share = windowShare();
-    float amount = changeAmount(lobe, slow * sqrt(signal.value.w), m, share);
-    Lumas lumas = bound(lobe, isSpecular, slow, amount, m, share);
+    float amount = changeAmount(lobe, slow * sqrt(signal.value.w), m);
+    Lumas lumas = bound(lobe, isSpecular, slow, amount, m);
     float variance = signal.value.w * square(max(slow, lumas.slow));
     signal = changeLuma(signal, lumas.slow);
     signal.value.w = min(variance / max(square(lumas.slow), 1e-12), NRD_FP16_MAX);
@@ -309,27 +256,31 @@ void main()
     // Copied before any exit: a stale depth in sky would let the next frame accept garbage.
     if (isInside) imageStore(gOut_PrevViewZ, position, vec4(storedForNext(storedViewZ)));
     if (texelFetch(gIn_Tiles, group / TILE_SIZE, 0).x > 0.5) return; // the same for the whole group
-    loadLumas(group);
-    Moments m = measureLumas();
+    measureRows(group);
     float viewZ = decodeViewZ(storedViewZ);
     if (!isInside || !isInRange(viewZ)) return;
     vec4 packedGuide = texelFetch(gIn_NormalRoughness, guideTexel(position), 0);
     imageStore(gOut_PrevNormalRoughness, position, packedGuide);
     Pixel p = makePixel(position, viewZ, decodeGuide(packedGuide));
     vec2 n = unpackLengths(texelFetch(gIn_Length, position, 0).xy);
-    vec2 fast = vec2(0.0);
 #if HAS_DIFFUSE
     Lobe diffuseLobe = Lobe(1.0, g.minMaterialForDiffuse, 0.0);
     Signal diffuse = fixHistory(gIn_Diffuse, gIn_DiffuseSh, p, diffuseLobe, false, position, n.x);
     if (kHasAntiFirefly) diffuse = suppressFirefly(gIn_Diffuse, p, diffuseLobe, position, diffuse);
-    fast.x = boundSignal(diffuse, 0, false, n.x, m);
-    storeSignal(gOut_Diffuse, gOut_DiffuseSh, position, diffuse);
 #endif
 #if HAS_SPECULAR
     const int c = kSpecularChannel;
     Lobe specularLobe = Lobe(p.guide.roughness, g.minMaterialForSpecular, 0.0);
     Signal specular = fixHistory(gIn_Specular, gIn_SpecularSh, p, specularLobe, true, position, n[c]);
     if (kHasAntiFirefly) specular = suppressFirefly(gIn_Specular, p, specularLobe, position, specular);
+#endif
+    Moments m = measureLumas();
+    vec2 fast = vec2(0.0);
+#if HAS_DIFFUSE
+    fast.x = boundSignal(diffuse, 0, false, n.x, m);
+    storeSignal(gOut_Diffuse, gOut_DiffuseSh, position, diffuse);
+#endif
+#if HAS_SPECULAR
     fast[c] = boundSignal(specular, c, true, n[c], m);
     storeSignal(gOut_Specular, gOut_SpecularSh, position, specular);
 #endif

@@ -14,6 +14,7 @@
 // Per instance
 #define SPEC_NORMAL_ENCODING 0    // value of NormalEncoding
 #define SPEC_ROUGHNESS_ENCODING 1 // value of RoughnessEncoding
+#define SPEC_IS_SOFTWARE 10       // isSoftwareDevice
 // Per dispatch: a row of the pass table names the ones it uses
 #define SPEC_HAS_PREPASS 2
 #define SPEC_HAS_STABILIZATION 3

@@ -70,6 +70,9 @@ struct InstanceCreationDesc
     // [1; 8] pixels, side of the tiles of which the application traces one sample of the last frame again: the instance
     // then makes history confidence, too, which kConfidenceIdentifier stands for. 0 = it does not; 5 is usual.
     uint32_t confidenceTileSize = 0;
+    // The device is software, such as lavapipe, which runs both sides of a branch and is slow in shared memory. Shaders
+    // then run fewer instructions where a GPU's would hide latencies; the pictures are the same.
+    bool isSoftwareDevice = false;
 };
 
 struct LibraryDesc

@@ -31,6 +31,7 @@ struct DeviceInfo
 {
     std::string name;
     DeviceLimits limits;
+    bool isSoftware = false; // no GPU: it runs on the CPU
     bool hasSynchronization2 = false;
     bool hasDebugLabels = false;
     bool hasFloat16 = false; // 16-bit floats in arithmetic and in storage buffers are enabled

@@ -97,6 +97,7 @@ Context::Context(const VulkanNativeDevice& native)
     instanceFn.getMemoryProperties(physicalDevice, &memoryProperties);
     info.name = properties.properties.deviceName;
     info.limits = readLimits(properties.properties.limits, subgroup.subgroupSize, family.timestampValidBits);
+    info.isSoftware = properties.properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU;
     info.hasSynchronization2 = native.isSynchronization2Enabled && fn.cmdPipelineBarrier2;
     info.hasDebugLabels = debugFn.cmdBeginLabel && debugFn.cmdEndLabel;
     info.hasFloat16 = native.isFloat16Enabled;
