@@ -10,7 +10,7 @@
 
 const ivec2 kHalo = ivec2(10, 18); // an 8x16 group and one texel round it
 
-shared uvec2 sGuides[kHalo.y][kHalo.x]; // normal; viewZ, 0 = out of range
+shared vec4 sNormalViewZ[kHalo.y][kHalo.x]; // viewZ: 0 = out of range
 // Half floats: Y and Co, Cg of the input where no pre-pass ran, and the distance to what is reflected, 0 = unknown.
 #define SAMPLE_NUM (HAS_CAP == 1 ? LOBE_NUM : 1) // occlusion has no colour
 shared uvec2 sSamples[SAMPLE_NUM][kHalo.y][kHalo.x];
@@ -75,17 +75,15 @@ void loadNeighbourhood(ivec2 group)
         float viewZ = decodeViewZ(texelFetch(gIn_ViewZ, guideTexel(pixel), 0).x);
         bool isUsed = isInRange(viewZ);
         vec3 N = decodeGuide(texelFetch(gIn_NormalRoughness, guideTexel(pixel), 0)).N;
-        sGuides[local.y][local.x] = uvec2(packDirection(N), floatBitsToUint(isUsed ? viewZ : 0.0));
+        sNormalViewZ[local.y][local.x] = vec4(N, isUsed ? viewZ : 0.0);
         loadSamples(local, pixel, isUsed);
     }
 }
 
-// Normal and viewZ.
 vec4 neighbour(ivec2 offset)
 {
     ivec2 local = ivec2(gl_LocalInvocationID.xy) + 1 + offset;
-    uvec2 guide = sGuides[local.y][local.x];
-    return vec4(unpackDirection(guide.x), uintBitsToFloat(guide.y));
+    return sNormalViewZ[local.y][local.x];
 }
 
 vec3 meanNormal(vec3 own)

@@ -48,24 +48,6 @@ vec3 dominantDirection(vec3 N, vec3 V, float factor)
     return normalize(mix(N, reflect(-V, N), factor));
 }
 
-// A direction as two 16-bit numbers: Cigolle et al. 2014, "A Survey of Efficient Representations for Independent Unit
-// Vectors".
-uint packDirection(vec3 N)
-{
-    N /= max(abs(N.x) + abs(N.y) + abs(N.z), 1e-6); // nothing may be 0 / 0
-    vec2 folded = (1.0 - abs(N.yx)) * mix(vec2(-1.0), vec2(1.0), greaterThanEqual(N.xy, vec2(0.0)));
-    return packSnorm2x16(N.z < 0.0 ? folded : N.xy);
-}
-
-vec3 unpackDirection(uint packed)
-{
-    vec2 e = unpackSnorm2x16(packed);
-    vec3 N = vec3(e, 1.0 - abs(e.x) - abs(e.y));
-    vec2 fold = vec2(max(-N.z, 0.0));
-    N.xy -= mix(-fold, fold, greaterThanEqual(e, vec2(0.0)));
-    return normalize(N); // its sum is 1
-}
-
 // Half width of a normal's quantisation, radians; index is NormalEncoding.
 float normalEncodingError(int encoding)
 {

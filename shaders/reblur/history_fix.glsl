@@ -53,10 +53,8 @@ Signal fixHistory(texture2D t, texture2D second, Pixel p, Lobe lobe, bool isSpec
     float weightSum = 1.0 + n;
     int channel = isSpecular ? kSpecularChannel : 0;
     // Row by row, without a branch round a read, so that those of a row are under way at once.
-    const int kTapsAtOnce = kIsSoftware ? 1 : 5;
     [[dont_unroll]] for (int y = -2; y <= 2; y++)
-    [[dont_unroll]] for (int first = -2; first <= 2; first += kTapsAtOnce)
-    [[unroll]] for (int x = first; x < first + kTapsAtOnce; x++)
+    [[unroll]] for (int x = -2; x <= 2; x++)
     {
         ivec2 offset = ivec2(x, y);
         bool isTap = x * x + y * y != 8 && offset != ivec2(0);

@@ -129,10 +129,8 @@ Signal fixHistory(texture2D t, texture2D second, Pixel p, Lobe lobe, bool isSpec
     Signal sum = scaled(centre, 1.0 + n);
     float weightSum = 1.0 + n;
     // Row by row, without a branch round a read, so that those of a row are under way at once.
-    const int kTapsAtOnce = kIsSoftware ? 1 : 5;
     [[dont_unroll]] for (int y = -2; y <= 2; y++)
-    [[dont_unroll]] for (int first = -2; first <= 2; first += kTapsAtOnce)
-    [[unroll]] for (int x = first; x < first + kTapsAtOnce; x++)
+    [[unroll]] for (int x = -2; x <= 2; x++)
     {
         ivec2 pixel = mirrorPixel(position + ivec2(x, y) * stride);
         bool isTap = x != 0 || y != 0;
