@@ -3,87 +3,170 @@
 #ifndef FAST_HISTORY_GLSL
 #define FAST_HISTORY_GLSL
 #include "spatial_filter.glsl"
-#define PAIR_NUM (2 - IS_BOUNDED) // both lobes: fast; what it differs from the long history by
 #include "luma_window.glsl"
 
-const int kChange = PAIR_NUM - 1;
 const float kAntiFireflySigmaScale = 2.6;
 
-void readLumas(ivec2 pixel, out vec2 lumas[PAIR_NUM])
+// A group may hold only a small share of a multiprocessor's shared memory, or too few of them run side by side to hide
+// latencies. So lumas are kept as the half floats they are stored as; both lobes in one word.
+#if IS_BOUNDED
+shared vec2 sFast[kHalo.y][kHalo.x];
+vec2 fastAt(ivec2 at) { return sFast[at.y][at.x]; }
+void storeFast(ivec2 at, vec2 lumas) { sFast[at.y][at.x] = lumas; }
+#else
+shared uint sFast[kHalo.y][kHalo.x];
+shared uint sSlow[kHalo.y][kHalo.x];
+vec2 fastAt(ivec2 at) { return unpackHalf2x16(sFast[at.y][at.x]); }
+vec2 slowAt(ivec2 at) { return unpackHalf2x16(sSlow[at.y][at.x]); }
+void storeFast(ivec2 at, vec2 lumas) { sFast[at.y][at.x] = packHalf2x16(lumas); }
+void storeSlow(ivec2 at, vec2 lumas) { sSlow[at.y][at.x] = packHalf2x16(lumas); }
+#endif
+
+// Unrolled and without a branch, so that all reads are under way at once; the last texel is loaded repeatedly.
+void loadFast(ivec2 group)
 {
-    lumas[0] = texelFetch(gIn_Fast, pixel, 0).xy;
-    if (!kIsBounded) lumas[kChange] = lumas[0] - slowLumas(pixel);
+    const int kNum = kHalo.x * kHalo.y;
+    [[unroll]] for (int first = 0; first < kNum; first += 128)
+    {
+        int i = min(first + int(gl_LocalInvocationIndex), kNum - 1);
+        ivec2 local = ivec2(i % kHalo.x, i / kHalo.x);
+        ivec2 pixel = group + local - kRadius;
+        ivec2 inside = clampToRect(pixel);
+        float viewZ = decodeViewZ(texelFetch(gIn_ViewZ, guideTexel(inside), 0).x);
+        vec2 fast = texelFetch(gIn_Fast, inside, 0).xy;
+        storeFast(local, pixel == inside && isInRange(viewZ) ? fast : vec2(kInvalid));
+#if IS_BOUNDED == 0
+        storeSlow(local, slowLumas(inside));
+#endif
+    }
 }
 
-// What is valid of a part of a window: five texels of a row, or one.
-struct Part
+struct Moments
 {
     vec2 mean;
-    vec2 squares; // sum, of differences from the mean
+    vec2 sigma;
+};
+
+// Sums over valid texels.
+struct Sums
+{
+    vec4 moments; // first, then second
     float count;
 };
 
-// y: from the own row.
-Part rowPart(int pair, int y)
+const Sums kNoSums = Sums(vec4(0.0), 0.0);
+
+void addValid(inout Sums sums, vec2 value)
 {
-    ivec2 at = ivec2(gl_LocalInvocationID.xy) + ivec2(0, kRadius + y);
-    return Part(rowMean(pair, at), rowSquares(pair, at), rowCount(at));
+    sums.moments += vec4(value, value * value);
+    sums.count += 1.0;
 }
 
-Part texelPart(int x, int y)
+void add(inout Sums sums, vec2 value)
 {
-    ivec2 at = ivec2(gl_LocalInvocationID.xy) + kRadius + ivec2(x, y);
-    return Part(texelAt(0, at), vec2(0.0), isValidTexel(at) ? 1.0 : 0.0);
+    if (value.x != kInvalid) addValid(sums, value);
 }
 
-vec2 sumOf(Part part) { return part.count * part.mean; }
-
-// Squares of parts add up with those of their means.
-vec2 squaresAbout(vec2 mean, Part part)
+void add(inout Sums sums, Sums other)
 {
-    return part.squares + part.count * (part.mean - mean) * (part.mean - mean);
+    sums.moments += other.moments;
+    sums.count += other.count;
 }
 
-// centre: what texels that are out of range, or in no part, count as.
-Spread measure(Part parts[8], float size, vec2 centre)
+void addPair(inout Sums sums, ivec2 middle, int distance)
 {
-    vec2 sum = vec2(0.0), squares = vec2(0.0);
-    float missing = size;
-    [[unroll]] for (int i = 0; i < 8; i++)
+    add(sums, fastAt(middle - ivec2(distance, 0)));
+    add(sums, fastAt(middle + ivec2(distance, 0)));
+}
+
+// Sums over five texels of a row: of the fast history, or of what it differs from the slow one by. All windows are 5x5.
+// Nothing is ever subtracted: beside a firefly that would leave only rounding error.
+const int kFastRow = 0, kChangeRow = 1;
+shared vec4 sMoments[kHalo.y][8];
+shared float sCount[kHalo.y][8];
+
+Sums sumRow(int kind, ivec2 middle)
+{
+    Sums sums = kNoSums;
+    for (int x = -2; x <= 2; x++)
     {
-        sum += sumOf(parts[i]);
-        missing -= parts[i].count;
+        vec2 fast = fastAt(middle + ivec2(x, 0)), value = fast;
+#if IS_BOUNDED == 0
+        if (kind == kChangeRow) value -= slowAt(middle + ivec2(x, 0));
+#endif
+        if (fast.x != kInvalid) addValid(sums, value);
     }
-    vec2 mean = (sum + missing * centre) / size;
-    [[unroll]] for (int i = 0; i < 8; i++) squares += squaresAbout(mean, parts[i]);
-    return Spread(mean, sqrt((squares + missing * (centre - mean) * (centre - mean)) / size));
+    return sums;
 }
 
-// 5x5, with the value that the centre has now, not the one that was loaded.
-Spread measureNear(vec2 centre)
+// Has barriers: one kind takes the place of the other.
+void sumRows(int kind)
 {
-    return measure(Part[](rowPart(0, -2), rowPart(0, -1), texelPart(-2, 0), texelPart(-1, 0), texelPart(1, 0),
-                          texelPart(2, 0), rowPart(0, 1), rowPart(0, 2)), 25.0, centre);
+    barrier();
+    for (int i = int(gl_LocalInvocationIndex); i < 8 * kHalo.y; i += 128)
+    {
+        ivec2 local = ivec2(i % 8, i / 8);
+        Sums sums = sumRow(kind, local + ivec2(kRadius, 0));
+        sMoments[local.y][local.x] = sums.moments;
+        sCount[local.y][local.x] = sums.count;
+    }
+    barrier();
 }
 
-// Without the inner 3x3: a firefly's own blob must not widen the bounds.
-Spread measureRing(vec2 centre)
+// Rows first to last, counted from the own one.
+void addRows(inout Sums sums, int first, int last)
 {
-    return measure(Part[](rowPart(0, -2), texelPart(-2, -1), texelPart(2, -1), texelPart(-2, 0), texelPart(2, 0),
-                          texelPart(-2, 1), texelPart(2, 1), rowPart(0, 2)), 16.0, centre);
+    ivec2 local = ivec2(gl_LocalInvocationID.xy) + ivec2(0, kRadius);
+    for (int y = first; y <= last; y++)
+        add(sums, Sums(sMoments[local.y + y][local.x], sCount[local.y + y][local.x]));
+}
+
+struct Windows
+{
+    Sums near;   // without the centre
+    Sums ring;   // without the inner 3x3: a firefly's own blob must not widen the bounds
+    Sums change;
+};
+
+Windows sumWindows()
+{
+    ivec2 centre = ivec2(gl_LocalInvocationID.xy) + kRadius;
+    Windows windows = Windows(kNoSums, kNoSums, kNoSums);
+    sumRows(kFastRow);
+    addRows(windows.ring, -2, -2);
+    addRows(windows.ring, 2, 2);
+    for (int y = -1; y <= 1; y++) addPair(windows.ring, centre + ivec2(0, y), 2);
+    windows.near = windows.ring;
+    for (int y = -1; y <= 1; y++) addPair(windows.near, centre + ivec2(0, y), 1);
+    add(windows.near, fastAt(centre - ivec2(0, 1)));
+    add(windows.near, fastAt(centre + ivec2(0, 1)));
+#if IS_BOUNDED == 0
+    sumRows(kChangeRow);
+    addRows(windows.change, -2, 2);
+#endif
+    return windows;
+}
+
+// What is out of range counts as the centre.
+Moments makeMoments(Sums sums, float count, vec2 centre)
+{
+    float missing = count - sums.count;
+    vec2 mean = (sums.moments.xy + missing * centre) / count;
+    vec2 square = (sums.moments.zw + missing * centre * centre) / count;
+    return Moments(mean, sqrt(abs(square - mean * mean)));
 }
 
 // The fast history of occlusion has 8 bits: what it rounded away is no disagreement.
 const float kFastRounding = kIsBounded ? 0.5 / 255.0 : 0.0;
 
-float clampTo(float value, Spread m, int lobe, float scale)
+float clampTo(float value, Moments m, int lobe, float scale)
 {
     float reach = m.sigma[lobe] * scale + kFastRounding;
     return clamp(value, m.mean[lobe] - reach, m.mean[lobe] + reach);
 }
 
 // The longer the history, the more the fast one bounds it; not at all where both are equally long.
-float fastClamp(float luma, Spread m, int lobe, float n, float sigmaScale)
+float fastClamp(float luma, Moments m, int lobe, float n, float sigmaScale)
 {
     float isOn = g.maxFastAccumulatedFrameNum.x < g.maxAccumulatedFrameNum.x ? 1.0 : 0.0;
     return mix(clampTo(luma, m, lobe, sigmaScale), luma, 1.0 / (1.0 + 2.0 * n * isOn));
@@ -97,21 +180,12 @@ struct Change
     vec2 sigma;
 };
 
-Change measureChange()
+Change measureChange(Windows windows, vec2 own)
 {
-    Part parts[5];
-    vec2 fast = vec2(0.0), mean = vec2(0.0), squares = vec2(0.0);
-    float count = 0.0;
-    [[unroll]] for (int y = 0; y < 5; y++)
-    {
-        parts[y] = rowPart(kChange, y - kRadius);
-        mean += sumOf(parts[y]);
-        fast += parts[y].count * rowMean(0, ivec2(gl_LocalInvocationID.xy) + ivec2(0, y));
-        count += parts[y].count;
-    }
-    mean /= count; // the centre is in range
-    [[unroll]] for (int y = 0; y < 5; y++) squares += squaresAbout(mean, parts[y]);
-    return Change(fast / count - mean, mean, sqrt(squares / count));
+    Sums change = windows.change;
+    vec2 mean = change.moments.xy / change.count;
+    vec2 fast = (windows.near.moments.xy + own) / change.count;
+    return Change(fast - mean, mean, sqrt(max(change.moments.zw / change.count - mean * mean, vec2(0.0))));
 }
 
 // How far the two histories differ by more than noise explains. Detail cancels out in means of differences.
@@ -137,19 +211,19 @@ void followLight(inout float luma, inout float fast, int lobe, Change change, fl
     fast = relight(fast, before + change.mean[lobe], 0.4 * moved);
 }
 
-// share: of the fast history as it was loaded. Returns what it becomes.
-vec2 clampSignals(inout Signal signals[2], Pixel p, vec2 n, vec2 share)
+// own: what the fast history of this pixel was loaded with. Returns what it becomes.
+vec2 clampSignals(inout Signal signals[2], Pixel p, Windows windows, vec2 n, vec2 own, vec2 share)
 {
     vec2 lumas = vec2(luma(signals[0]), luma(signals[1]));
-    vec2 fast = mix(lumas, texelAt(0, ivec2(gl_LocalInvocationID.xy) + kRadius), share);
+    vec2 fast = mix(lumas, own, share);
     if (kHasAntiFirefly && !kIsBounded)
     {
-        Spread ring = measureRing(fast);
+        Moments ring = makeMoments(windows.ring, 16.0, fast);
         for (int i = 0; i < LOBE_NUM; i++) lumas[i] = clampTo(lumas[i], ring, i, kAntiFireflySigmaScale);
     }
-    Change change = Change(vec2(0.0), vec2(0.0), vec2(0.0));
-    if (!kIsBounded) change = measureChange();
-    Spread near = measureNear(fast);
+    Change change = measureChange(windows, own);
+    addValid(windows.near, fast); // with the value it has now, not the one that was loaded
+    Moments near = makeMoments(windows.near, 25.0, fast);
     bool isStrand = kHasMaterialTest && p.guide.materialID == g.strandMaterialID;
     [[unroll]] for (int i = 0; i < LOBE_NUM; i++)
     {

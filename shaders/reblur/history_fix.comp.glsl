@@ -47,7 +47,8 @@ void main()
     // Copied before any exit: a stale depth in sky would let the next frame accept garbage.
     if (isInRect(position)) imageStore(gOut_PrevViewZ, position, vec4(storedForNext(storedViewZ)));
     if (texelFetch(gIn_Tiles, group / TILE_SIZE, 0).x > 0.5) return; // the same for the whole group
-    measureRows(group);
+    loadFast(group);
+    Windows windows = sumWindows();
     float viewZ = decodeViewZ(storedViewZ);
     if (!isInRect(position) || !isInRange(viewZ)) return;
     vec4 packedGuide = texelFetch(gIn_NormalRoughness, guideTexel(position), 0);
@@ -72,7 +73,8 @@ void main()
     // Filled-in data is unwanted in the fast history of sharp lobes.
     share[kSpecularChannel] = mix(1.0, share[kSpecularChannel], NRD_GetLobeSpread(p.guide.roughness, 0.25));
 #endif
-    vec2 fast = clampSignals(signals, p, n, share);
+    vec2 own = fastAt(ivec2(gl_LocalInvocationID.xy) + kRadius);
+    vec2 fast = clampSignals(signals, p, windows, n, own, share);
     imageStore(gOut_Fast, position, kIsBounded ? vec4(fast, 0.0, 0.0) : roundToHalf(vec4(fast, 0.0, 0.0)));
 #if HAS_DIFFUSE
     storeSignal(gOut_Diffuse, gOut_DiffuseSh, position, signals[0]);

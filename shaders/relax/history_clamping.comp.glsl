@@ -34,7 +34,7 @@ layout(set = SET_RESOURCES, binding = FIRST_OUT + SIGNAL_NUM + 2) uniform writeo
 layout(set = SET_RESOURCES, binding = FIRST_OUT + SIGNAL_NUM + 3) uniform writeonly image2D gOut_PrevNormalRoughness;
 
 #define PAIR_NUM (LOBE_NUM + 1) // per lobe: fast, noisy; then what the fast ones differ from the long history by
-#include "luma_window.glsl"
+#include "luma_rows.glsl"
 
 const int kChange = LOBE_NUM;
 const float kRelitFrameNum = 4.0; // what a mean over 5x5 noisy pixels is worth
