@@ -168,6 +168,7 @@ TEST_CASE("pipelines are unique, complete and specialised by the encodings", "[u
     InstanceCreationDesc creation;
     creation.normalEncoding = NormalEncoding::RGBA16_UNORM;
     creation.roughnessEncoding = RoughnessEncoding::SQ_LINEAR;
+    creation.isSoftwareDevice = true;
     const InstancePtr instance = makeInstance({kReblurBoth, Denoiser::REFERENCE, kReblurBoth}, creation);
     const InstanceDesc& desc = GetInstanceDesc(*instance);
     std::set<std::vector<uint32_t>> seen;
@@ -187,6 +188,7 @@ TEST_CASE("pipelines are unique, complete and specialised by the encodings", "[u
         if (!pipeline.hasConstantData) continue;
         CHECK(specializationOf(pipeline, 0) == static_cast<uint32_t>(NormalEncoding::RGBA16_UNORM));
         CHECK(specializationOf(pipeline, 1) == static_cast<uint32_t>(RoughnessEncoding::SQ_LINEAR));
+        CHECK(specializationOf(pipeline, 10) == 1); // SPEC_IS_SOFTWARE
     }
 }
 
