@@ -232,7 +232,8 @@ void PathTracer::recordFrame(VkCommandBuffer cmd, const View& view)
                                                  &i.specularMotion,
                                                  &i.shadow,
                                                  &i.sun};
-    record(cmd, kFrameMode, targets, view, glm::uvec4(m_desc.seed, view.frameIndex, 1, 1));
+    m_strideOfImages = m_desc.stride;
+    record(cmd, kFrameMode, targets, view, glm::uvec4(m_desc.seed, view.frameIndex, 1, 1), m_desc.stride);
 }
 
 void PathTracer::recordReference(VkCommandBuffer cmd, const View& view, const ReferenceBatch& batch)
@@ -274,7 +275,7 @@ void PathTracer::record(VkCommandBuffer cmd, uint32_t mode, const std::vector<en
     c.sampling = sampling;
     c.shadow = glm::uvec4(m_shadowLightIndex, 0, 0, 0);
     c.tiles = glm::uvec4(engine::groupCount(m_desc.width, tileSize), engine::groupCount(m_desc.height, tileSize),
-                         tileSize, 0);
+                         tileSize, m_strideOfImages);
     std::memcpy(m_constants[m_slot].mapped().data(), &c, sizeof(c));
 
     std::vector<engine::Binding> bindings = {m_constants[m_slot], m_nodes,  m_triangles, m_vertices,    m_motion,
@@ -290,6 +291,7 @@ void PathTracer::record(VkCommandBuffer cmd, uint32_t mode, const std::vector<en
     else
         set = program.pipeline->createSet(bindings);
     const uint32_t groups = engine::groupCount(c.tiles.x, kGroupSize) * engine::groupCount(c.tiles.y, kGroupSize);
-    program.pipeline->dispatch(cmd, set, {}, {groups, 1, 1});
+    const uint32_t pixelsOfTile = mode == kRetraceMode ? 1 : tileSize * tileSize;
+    program.pipeline->dispatch(cmd, set, {}, {groups, pixelsOfTile, 1});
 }
 } // namespace sample

@@ -34,6 +34,7 @@ struct TracerDesc
     // Of frames; references always have all samples. What a pixel does not trace is 0 in every component.
     Lobes lobes = Lobes::Both;
     nrd::CheckerboardMode checkerboard = nrd::CheckerboardMode::OFF; // each lobe in its half of the pixels
+    uint32_t stride = 1; // [1; 8]: only every such pixel of every such row of frames has paths and a shadow
     glm::vec3 hitDistanceParameters = glm::vec3(3.0f, 0.1f, 20.0f);  // A (world units), B, C
     // SceneLights::shadowLight lights the primary surface apart: not in `diffuse` and `specular`, but in `sun`, with
     // its shadow in `shadow`. Needs hasShadowLight().
@@ -105,18 +106,20 @@ public:
     void recordPlain(VkCommandBuffer cmd, const View& view, const ReferenceBatch& batch);
 
     /// Traces the paths of the frame that `view` showed once more, through the scene as it is now: of each tile of
-    /// `tileSize` pixels a side the one of NRD_GetConfidencePixel. `target` has a texel per tile; see
+    /// `tileSize` pixels a side the one of NRD_GetConfidencePixel, or the one with paths before it. `target` has a texel per tile; see
     /// IN_RETRACED_SAMPLE.
     void recordRetrace(VkCommandBuffer cmd, const View& view, engine::Image& target, uint32_t tileSize);
 
     /// What may change from frame to frame; the other fields of the description are final.
     void setLimits(uint32_t maxBounces, float roughening);
     void setHitDistanceParameters(const glm::vec3& parameters) { m_desc.hitDistanceParameters = parameters; }
+    void setStride(uint32_t stride) { m_desc.stride = stride; }
     /// Another picture of the same size, or none where there was none; then setPose() must follow. Waits for the
     /// device.
     void setEnvironment(const Environment* environment);
 
     FrameImages& images() { return m_images; }
+    uint32_t strideOfImages() const { return m_strideOfImages; } // of the last frame
     engine::Image& sumDiffuse() { return m_sumDiffuse; }
     engine::Image& sumSpecular() { return m_sumSpecular; }
     engine::Image& sumShadow() { return m_sumShadow; }
@@ -150,6 +153,7 @@ private:
     engine::Buffer m_nodes, m_triangles, m_vertices, m_motion, m_materials, m_texels, m_lights, m_environment, m_energy;
     std::vector<engine::Buffer> m_constants; // ring
     uint32_t m_slot = 0;
+    uint32_t m_strideOfImages = 1;
     std::array<Program, 4> m_programs; // by mode
     float m_denoisingRange = 1000.0f;
     float m_sceneRadius = 1.0f;

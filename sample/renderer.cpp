@@ -23,6 +23,7 @@ TracerDesc tracerDesc(const Options& options)
     desc.roughening = options.roughening;
     desc.lobes = options.lobes.value_or(Lobes::Both);
     desc.checkerboard = options.checkerboard;
+    desc.stride = tracedStride(options);
     desc.hitDistanceParameters = hitDistanceParametersOf(denoiserSettings(options));
     desc.hasShadowSignal = options.hasShadowSignal;
     desc.mirrorRoughness = options.hasPsr ? kMirrorRoughness : 0.0f;
@@ -98,6 +99,7 @@ DenoiseDesc denoiseDesc(const Options& options, const Scene& scene, const Denois
     desc.framesInFlight = kFramesInFlight;
     desc.settings = denoiserSettings(options);
     desc.assignments = options.settings;
+    desc.resolution = options.resolution;
     desc.isSceneMoving = !scene.channels.empty();
     desc.hasShadowSignal = options.hasShadowSignal;
     desc.hasTemporalAa = options.hasTemporalAa;

@@ -26,6 +26,7 @@ constexpr const char* kCameras[] = {"scene", "fly", "orbit"};
 constexpr const char* kTones[] = {"compress", "filmic", "clamp"};
 constexpr const char* kLobeNames[] = {"both", "probabilistic", "merged"};
 constexpr const char* kColors[] = {"off", "black", "white"};
+constexpr const char* kResolutions[] = {"off", "means", "sparse"};
 
 struct NamedKey
 {
@@ -177,6 +178,12 @@ void App::runTracing(const ScriptCommand& command)
     case Verb::Checkerboard:
         state.checkerboard = nrd::CheckerboardMode(indexOf(kColors, command.text, "checkerboard"));
         return;
+    case Verb::Half:
+    {
+        const uint32_t how = indexOf(kResolutions, command.text, "way to denoise at half resolution");
+        for (Side& side : state.sides) side.resolution = {how == 0 ? 1u : 2u, how == 2};
+        return;
+    }
     case Verb::Bounces:
         state.bounces = std::min(uint32_t(number), 64u);
         return;
