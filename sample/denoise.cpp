@@ -106,7 +106,10 @@ void DenoiseStage::createImages()
     m_composed = create("composed", VK_FORMAT_R32G32B32A32_SFLOAT);
     const SampleDenoiser& denoiser = *m_desc.set.lobes;
     if (denoiser.family == Family::Reference) m_signal = create("composed noisy", VK_FORMAT_R32G32B32A32_SFLOAT);
-    if (m_desc.hasOverlay && !m_desc.set.isNone()) m_overlay = create("validation overlay", VK_FORMAT_R8G8B8A8_UNORM);
+    const uint32_t divisor = resolutionOf(denoiser.family, m_desc.resolution).divisor;
+    if (m_desc.hasOverlay && !m_desc.set.isNone())
+        m_overlay = engine::Image(m_device, {"validation overlay", engine::groupCount(m_desc.width, divisor),
+                                             engine::groupCount(m_desc.height, divisor), VK_FORMAT_R8G8B8A8_UNORM});
     for (auto& confidence : m_confidences)
         if (m_desc.hasConfidence)
             confidence =
@@ -165,6 +168,8 @@ void DenoiseStage::applyFamilySettings()
     };
     apply(*m_desc.set.lobes, kLobeDenoiser);
     if (m_desc.set.shadow) apply(*m_desc.set.shadow, kShadowDenoiser);
+    if (m_desc.hasConfidence)
+        check(m_integration.SetConfidenceSettings(m_desc.settings.confidence), "set up the history confidence");
 }
 
 engine::Image* DenoiseStage::denoised(Lobe lobe)

@@ -69,7 +69,8 @@ public:
     engine::Image* denoisedShadow() { return m_shadow ? &m_shadow->values() : nullptr; }
     const DenoiserSet& set() const { return m_desc.set; }
 
-    /// RGBA8: the validation overlay, written while enableValidation asks for it. Null without one.
+    /// RGBA8, of the denoiser's own size: the validation overlay, written while enableValidation asks for it. Null
+    /// without one.
     engine::Image* overlay() { return m_overlay ? &*m_overlay : nullptr; }
 
     /// R8, a texel per tile: how far the history of the lobe was trusted. Null without confidence.

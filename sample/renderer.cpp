@@ -11,6 +11,7 @@ namespace sample
 namespace
 {
 constexpr uint32_t kFramesInFlight = 2;
+constexpr uint32_t kTracingMarks = 3; // before, between and after re-traced samples and a frame
 constexpr uint32_t kBatch = 8; // samples of one submission: short enough for the watchdogs of desktop GPUs
 
 TracerDesc tracerDesc(const Options& options)
@@ -144,6 +145,7 @@ Renderer::Renderer(const engine::Device& device, const Stage& stage, const Optio
     : m_device(device), m_stage(stage), m_options(options), m_pose(stage.scene),
       m_tracer(device, stage.scene, environmentOf(stage), tracerDesc(options)), m_ring(device, kFramesInFlight)
 {
+    for (uint32_t i = 0; i < kFramesInFlight; ++i) m_timestamps.emplace_back(device, kTracingMarks);
     if (options.hasConfidence) m_retrace.emplace(device, options.width, options.height);
     for (const DenoiserSet& set : options.sets)
         m_stages.push_back(std::make_unique<DenoiseStage>(device, denoiseDesc(options, stage.scene, set)));
@@ -201,6 +203,20 @@ void Renderer::pose(const FrameInput& input)
     m_tracer.setPose(m_stage.scene, *m_pose, environmentOf(m_stage));
 }
 
+void Renderer::trace(VkCommandBuffer cmd, const View& lastView)
+{
+    engine::Timestamps& timestamps = m_timestamps[m_ring.slot()];
+    const std::vector<double> last = timestamps.read(); // of the slot's frame before, which is done
+    if (last.size() == 2) m_tracingTimes = {{"re-traced samples", float(last[0])}, {"paths", float(last[1])}};
+    if (last.size() == 2 && !m_retrace) m_tracingTimes.erase(m_tracingTimes.begin());
+    timestamps.reset(cmd);
+    timestamps.mark(cmd);
+    if (m_retrace) m_retrace->record(cmd, m_tracer, lastView);
+    timestamps.mark(cmd);
+    m_tracer.recordFrame(cmd, m_frame.view);
+    timestamps.mark(cmd);
+}
+
 void Renderer::startFrame(const FrameInput& input)
 {
     pose(input);
@@ -216,8 +232,7 @@ void Renderer::startFrame(const FrameInput& input)
     m_frame.shadowLight = m_tracer.shadowLight();
     m_frame.retrace = m_retrace ? &*m_retrace : nullptr;
     VkCommandBuffer cmd = m_ring.begin();
-    if (m_retrace) m_retrace->record(cmd, m_tracer, index == 0 ? m_frame.view : lastView);
-    m_tracer.recordFrame(cmd, m_frame.view);
+    trace(cmd, index == 0 ? m_frame.view : lastView);
     for (auto& stage : m_stages)
         if (stage) stage->record(cmd, m_tracer.images(), m_frame);
     m_ring.submit();
