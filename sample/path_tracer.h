@@ -132,6 +132,12 @@ public:
     float denoisingRange() const { return m_denoisingRange; }
 
 private:
+    // How light samples choose.
+    struct LightTables
+    {
+        std::vector<AliasEntry> any, primary;
+    };
+    void storeLights(SceneLights lights, const Bvh& bvh);
     void createImages();
     void createTables(const Scene& scene, const Environment* environment);
     // Compiled when it is used first: a frame needs one, and each costs a second on a CPU.
@@ -151,6 +157,9 @@ private:
     FrameImages m_images;
     engine::Image m_sumDiffuse, m_sumSpecular, m_sumShadow;
     engine::Buffer m_nodes, m_triangles, m_vertices, m_motion, m_materials, m_texels, m_lights, m_environment, m_energy;
+    engine::Buffer m_lightsAgain;     // those of the pose, chosen from as in the last frame
+    LightTables m_tables, m_tablesOfFrame; // of the pose, of the last frame before it
+    bool m_isPoseTraced = false;           // there is a frame of it
     std::vector<engine::Buffer> m_constants; // ring
     uint32_t m_slot = 0;
     uint32_t m_strideOfImages = 1;
