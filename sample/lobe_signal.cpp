@@ -96,7 +96,8 @@ LobeSignal::LobeSignal(const engine::Device& device, const LobeSignalDesc& desc)
         m_outputs.push_back({row.output, row.mode, create(row.output, row.imageFormat, 1)});
     }
     if (desc.stride > 1 && desc.lobe == Lobe::Specular)
-        m_inputs.push_back({ResourceType::IN_SPEC_MV, LOBE_MOTION, create(ResourceType::IN_SPEC_MV, kRgba16, desc.stride)});
+        m_inputs.push_back(
+            {ResourceType::IN_SPEC_MV, LOBE_MOTION, create(ResourceType::IN_SPEC_MV, kRgba16, desc.stride)});
     m_values = engine::Image(device, {"unpacked lobe", desc.width, desc.height, VK_FORMAT_R32G32B32A32_SFLOAT});
     m_pack = createPixelPipeline(device, shaderBlob(Shader::PackLobe), 4, sizeof(PackConstants), 3);
     m_unpack = createPixelPipeline(device, shaderBlob(Shader::UnpackLobe), 4, sizeof(UnpackConstants));

@@ -86,6 +86,8 @@ void addRendering(CLI::App& app, Options& o)
            "--scene", [&o](const std::string& s) { parseBuiltIn(s, o); },
            "Instead of SCENE, " + oneOf(builtInScenes()) + "; default cornell")
         ->option_text("NAME");
+    app.add_option("--offset", o.offset, "Move the scene so many units along X: what is lost far from the origin")
+        ->check(CLI::Range(-1e6, 1e6));
     app.add_option("--environment", o.environment, "Equirectangular picture, .hdr or .exr");
     app.add_option_function<std::string>(
            "--size", [&o](const std::string& s) { parseSize(s, o); }, "Resolution in pixels, default 480x270")

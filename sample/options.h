@@ -24,6 +24,7 @@ struct Options
 {
     std::filesystem::path scene;           // empty: a built-in one
     const BuiltInScene* builtIn = nullptr; // null: none was asked for
+    float offset = 0.0f;                   // world units along X, [-1e6; 1e6], of the whole scene
     std::filesystem::path environment;     // empty: none, or the default sky where nothing else shines
     std::vector<DenoiserSet> sets;         // all run in every frame; empty: settleDenoisers() chooses
     uint32_t switchEvery = 0;              // frames after which the next set is shown; 0: the first one is

@@ -35,7 +35,7 @@ struct TracerDesc
     Lobes lobes = Lobes::Both;
     nrd::CheckerboardMode checkerboard = nrd::CheckerboardMode::OFF; // each lobe in its half of the pixels
     uint32_t stride = 1; // [1; 8]: only every such pixel of every such row of frames has paths and a shadow
-    glm::vec3 hitDistanceParameters = glm::vec3(3.0f, 0.1f, 20.0f);  // A (world units), B, C
+    glm::vec3 hitDistanceParameters = glm::vec3(3.0f, 0.1f, 20.0f); // A (world units), B, C
     // SceneLights::shadowLight lights the primary surface apart: not in `diffuse` and `specular`, but in `sun`, with
     // its shadow in `shadow`. Needs hasShadowLight().
     bool hasShadowSignal = false;
@@ -106,8 +106,8 @@ public:
     void recordPlain(VkCommandBuffer cmd, const View& view, const ReferenceBatch& batch);
 
     /// Traces the paths of the frame that `view` showed once more, through the scene as it is now: of each tile of
-    /// `tileSize` pixels a side the one of NRD_GetConfidencePixel, or the one with paths before it. `target` has a texel per tile; see
-    /// IN_RETRACED_SAMPLE.
+    /// `tileSize` pixels a side the one of NRD_GetConfidencePixel, or the one with paths before it. `target` has a
+    /// texel per tile; see IN_RETRACED_SAMPLE.
     void recordRetrace(VkCommandBuffer cmd, const View& view, engine::Image& target, uint32_t tileSize);
 
     /// What may change from frame to frame; the other fields of the description are final.
@@ -157,9 +157,9 @@ private:
     FrameImages m_images;
     engine::Image m_sumDiffuse, m_sumSpecular, m_sumShadow;
     engine::Buffer m_nodes, m_triangles, m_vertices, m_motion, m_materials, m_texels, m_lights, m_environment, m_energy;
-    engine::Buffer m_lightsAgain;     // those of the pose, chosen from as in the last frame
-    LightTables m_tables, m_tablesOfFrame; // of the pose, of the last frame before it
-    bool m_isPoseTraced = false;           // there is a frame of it
+    engine::Buffer m_lightsAgain;            // those of the pose, chosen from as in the last frame
+    LightTables m_tables, m_tablesOfFrame;   // of the pose, of the last frame before it
+    bool m_isPoseTraced = false;             // there is a frame of it
     std::vector<engine::Buffer> m_constants; // ring
     uint32_t m_slot = 0;
     uint32_t m_strideOfImages = 1;

@@ -12,7 +12,7 @@ namespace
 {
 constexpr uint32_t kFramesInFlight = 2;
 constexpr uint32_t kTracingMarks = 3; // before, between and after re-traced samples and a frame
-constexpr uint32_t kBatch = 8; // samples of one submission: short enough for the watchdogs of desktop GPUs
+constexpr uint32_t kBatch = 8;        // samples of one submission: short enough for the watchdogs of desktop GPUs
 
 TracerDesc tracerDesc(const Options& options)
 {
@@ -129,6 +129,7 @@ Stage loadStage(const Options& options)
     if (isDefault) stage.notes.push_back("No scene was given: showing the built-in Cornell box.");
     const BuiltInScene& builtIn = options.builtIn ? *options.builtIn : builtInScenes().front();
     stage.scene = options.scene.empty() ? builtIn.make() : loadGltf(options.scene);
+    stage.scene.origin.x = options.offset;
     for (PunctualLight& light : stage.scene.lights)
         if (options.sunRadius) light.tanAngularRadius = std::tan(glm::radians(*options.sunRadius));
     if (!options.environment.empty()) stage.environment = makeEnvironment(readImage(options.environment));

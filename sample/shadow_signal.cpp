@@ -34,8 +34,9 @@ ShadowSignal::ShadowSignal(const engine::Device& device, const ShadowSignalDesc&
         const uint32_t width = engine::groupCount(desc.width, stride), height = engine::groupCount(desc.height, stride);
         return engine::Image(device, {nrd::toString(type), width, height, format});
     };
-    const auto add = [&](ResourceType type, uint32_t mode, VkFormat format)
-    { m_inputs.push_back({type, mode, create(type, format, desc.stride)}); };
+    const auto add = [&](ResourceType type, uint32_t mode, VkFormat format) {
+        m_inputs.push_back({type, mode, create(type, format, desc.stride)});
+    };
     add(ResourceType::IN_PENUMBRA, SHADOW_PENUMBRA, VK_FORMAT_R16_SFLOAT);
     if (desc.isTranslucent) add(ResourceType::IN_TRANSLUCENCY, SHADOW_TRANSLUCENCY, VK_FORMAT_R8G8B8A8_UNORM);
     m_output = create(ResourceType::OUT_SHADOW_TRANSLUCENCY,

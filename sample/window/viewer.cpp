@@ -187,8 +187,8 @@ void Viewer::followSides()
         if (!isWanted) continue;
         const DenoiserSet& now = state.sides[i].set;
         const DenoiserSet& before = m_applied.sides[i].set;
-        const bool isNew = !wasThere || now.name() != before.name() ||
-                           !(state.sides[i].resolution == m_applied.sides[i].resolution);
+        const bool isNew =
+            !wasThere || now.name() != before.name() || !(state.sides[i].resolution == m_applied.sides[i].resolution);
         const bool isOther = wasThere && now.lobes->family != before.lobes->family; // other meanings, other ranges
         if (isNew)
             std::erase_if(state.sides[i].settings, [&](const Assignment& a)
@@ -328,6 +328,7 @@ std::vector<std::string> Viewer::arguments() const
     else
         all.push_back(std::filesystem::absolute(m_options.scene).string());
     if (!m_options.environment.empty()) add("--environment", std::filesystem::absolute(m_options.environment).string());
+    if (m_options.offset != 0.0f) add("--offset", number(double(m_options.offset)));
     if (m_options.sunRadius) add("--sun-radius", number(double(*m_options.sunRadius)));
     for (const Assignment& assignment : side.settings) add("--set", assignment.first + "=" + assignment.second);
     add("--lobes", kLobeNames[size_t(state.lobes)]);

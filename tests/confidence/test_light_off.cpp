@@ -24,10 +24,9 @@ int lagOf(const Frames& frames, double FrameFigures::*error)
 
 void print(const char* denoiser, const char* history, const Frames& frames)
 {
-    std::printf(
-        "FIGURE %s, %s: frames to 1.25 of the settled error after a light goes off: FLIP %d, RMSE %d; "
-        "FLIP by frame:",
-        denoiser, history, lagOf(frames, &FrameFigures::flip), lagOf(frames, &FrameFigures::rmse));
+    std::printf("FIGURE %s, %s: frames to 1.25 of the settled error after a light goes off: FLIP %d, RMSE %d; "
+                "FLIP by frame:",
+                denoiser, history, lagOf(frames, &FrameFigures::flip), lagOf(frames, &FrameFigures::rmse));
     for (uint32_t i = 0; i < kFramesAfter; i++)
         if (i < 6 || i % 8 == 7) std::printf(" %.4f", frames[frames.size() - kFramesAfter + i].flip);
     std::printf("\n");
@@ -78,7 +77,8 @@ TEST_CASE("with confidence a light that goes off is gone within four frames", "[
     }
 }
 
-// Where a noisy light remains, a new history takes longer to settle than four frames; nothing old may be on top of that.
+// Where a noisy light remains, a new history takes longer to settle than four frames; nothing old may be on top of
+// that.
 TEST_CASE("with confidence a light that goes off under a lamp leaves what a new history would", "[gpu]")
 {
     for (const Comparison& c : runSwitchedLight({.hasLamp = true}))
