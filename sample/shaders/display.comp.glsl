@@ -50,7 +50,7 @@ vec3 picture(vec4 value, vec4 over)
     case VIEW_W:
         return vec3(value.w * range);
     case VIEW_X:
-        return value.xxx;
+        return value.xxx * range;
     case VIEW_DEPTH:
         return vec3(1.0 / (1.0 + abs(value.x) * range));
     case VIEW_MOTION:

@@ -35,7 +35,8 @@ void drawTimes(Viewer& viewer)
     char text[48];
     std::snprintf(text, sizeof(text), "%.3f ms of A", double(timings.totalMilliseconds));
     const std::vector<float>& times = viewer.frameTimes();
-    ImGui::PlotLines("##times", times.data(), int(times.size()), 0, text, 0.0f, FLT_MAX, ImVec2(-1.0f, 60.0f));
+    ImGui::PlotLines("##times", times.data(), int(times.size()), 0, text, 0.0f, FLT_MAX,
+                     ImVec2(ImGui::GetContentRegionAvail().x, 60.0f));
     for (uint32_t i = 0; i < timings.passesNum; ++i) drawTime(timings.passes[i], total);
 }
 
