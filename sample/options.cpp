@@ -203,14 +203,13 @@ void checkLobes(const Options& o)
 
 void checkResolution(const Options& o)
 {
-    const Resolution full;
-    if (o.resolution == full) return;
+    if (o.resolution.divisor == 1) return;
     if (o.checkerboard != nrd::CheckerboardMode::OFF)
         throw SettingError("--divisor: --checkerboard leaves out pixels already");
     if (o.resolution.isSparse && o.lobes == Lobes::Probabilistic)
         throw SettingError("--sparse: --lobes probabilistic leaves out samples already");
     for (Family family : familiesOf(o.sets))
-        if (!(resolutionOf(family, o.resolution) == full)) return;
+        if (resolutionOf(family, o.resolution).divisor > 1) return;
     throw SettingError("--divisor: REBLUR and RELAX run at a smaller size, and with --sparse SIGMA");
 }
 
