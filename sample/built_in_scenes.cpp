@@ -3,6 +3,7 @@
 #include "scene_cornell.h"
 #include "scene_mirror.h"
 #include "scene_panes.h"
+#include "scene_rooms.h"
 #include "scene_veils.h"
 
 namespace sample
@@ -11,7 +12,7 @@ namespace
 {
 constexpr BuiltInScene kScenes[] = {
     {"cornell", makeCornellBox},     {"bumps", makeBumps}, {"panes", makePanes}, {"mirror", makeMirrorYard},
-    {"mirror-twin", makeMirrorTwin}, {"veils", makeVeils}};
+    {"mirror-twin", makeMirrorTwin}, {"veils", makeVeils}, {"rooms", makeRooms}};
 } // namespace
 
 std::span<const BuiltInScene> builtInScenes() { return kScenes; }

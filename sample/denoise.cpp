@@ -92,6 +92,11 @@ void DenoiseStage::check(nrd::Result result, const char* action) const
     throw engine::Error(std::string("cannot ") + action + ": " + m_integration.GetLastMessage());
 }
 
+uint32_t DenoiseStage::strideOf(const SampleDenoiser& denoiser) const
+{
+    return resolutionOf(denoiser.family, m_desc.resolution).stride();
+}
+
 void DenoiseStage::createImages()
 {
     const auto create = [&](const char* name, VkFormat format) {
@@ -101,7 +106,10 @@ void DenoiseStage::createImages()
     m_composed = create("composed", VK_FORMAT_R32G32B32A32_SFLOAT);
     const SampleDenoiser& denoiser = *m_desc.set.lobes;
     if (denoiser.family == Family::Reference) m_signal = create("composed noisy", VK_FORMAT_R32G32B32A32_SFLOAT);
-    if (m_desc.hasOverlay && !m_desc.set.isNone()) m_overlay = create("validation overlay", VK_FORMAT_R8G8B8A8_UNORM);
+    const uint32_t divisor = resolutionOf(denoiser.family, m_desc.resolution).divisor;
+    if (m_desc.hasOverlay && !m_desc.set.isNone())
+        m_overlay = engine::Image(m_device, {"validation overlay", engine::groupCount(m_desc.width, divisor),
+                                             engine::groupCount(m_desc.height, divisor), VK_FORMAT_R8G8B8A8_UNORM});
     for (auto& confidence : m_confidences)
         if (m_desc.hasConfidence)
             confidence =
@@ -110,13 +118,13 @@ void DenoiseStage::createImages()
     if (m_desc.set.shadow)
         m_shadow.emplace(m_device,
                          ShadowSignalDesc{m_desc.set.shadow->denoiser == nrd::Denoiser::SIGMA_SHADOW_TRANSLUCENCY,
-                                          m_desc.width, m_desc.height});
+                                          m_desc.width, m_desc.height, strideOf(*m_desc.set.shadow)});
     for (Lobe lobe : kLobes)
     {
         const LobeFormat format = denoiser.format(lobe);
         if (format == LobeFormat::None) continue;
         m_lobes[static_cast<size_t>(lobe)].emplace(
-            m_device, LobeSignalDesc{lobe, format, denoiser.family, m_desc.width, m_desc.height,
+            m_device, LobeSignalDesc{lobe, format, denoiser.family, m_desc.width, m_desc.height, strideOf(denoiser),
                                      hitDistanceParametersOf(m_desc.settings),
                                      checkerboardModeOf(m_desc.settings, denoiser.family)});
     }
@@ -139,8 +147,10 @@ void DenoiseStage::createIntegration()
     creation.findShader = m_desc.shaders ? findShader : nullptr;
     creation.findShaderArg = const_cast<ShaderModules*>(m_desc.shaders);
     std::vector<nrd::DenoiserDesc> denoisers;
-    if (m_desc.set.lobes->family != Family::None) denoisers.push_back({kLobeDenoiser, m_desc.set.lobes->denoiser});
-    if (m_desc.set.shadow) denoisers.push_back({kShadowDenoiser, m_desc.set.shadow->denoiser});
+    const auto add = [&](nrd::Identifier identifier, const SampleDenoiser& row)
+    { denoisers.push_back(denoiserDesc(identifier, row.denoiser, resolutionOf(row.family, m_desc.resolution))); };
+    if (m_desc.set.lobes->family != Family::None) add(kLobeDenoiser, *m_desc.set.lobes);
+    if (m_desc.set.shadow) add(kShadowDenoiser, *m_desc.set.shadow);
     nrd::InstanceCreationDesc instance;
     instance.denoisers = denoisers.data();
     instance.denoisersNum = static_cast<uint32_t>(denoisers.size());
@@ -158,6 +168,8 @@ void DenoiseStage::applyFamilySettings()
     };
     apply(*m_desc.set.lobes, kLobeDenoiser);
     if (m_desc.set.shadow) apply(*m_desc.set.shadow, kShadowDenoiser);
+    if (m_desc.hasConfidence)
+        check(m_integration.SetConfidenceSettings(m_desc.settings.confidence), "set up the history confidence");
 }
 
 engine::Image* DenoiseStage::denoised(Lobe lobe)
@@ -298,7 +310,8 @@ std::vector<SlotImage> DenoiseStage::slots(FrameImages& images)
     std::vector<SlotImage> all = {{ResourceType::IN_MV, &images.motion},
                                   {ResourceType::IN_NORMAL_ROUGHNESS, &m_normalRoughness},
                                   {ResourceType::IN_VIEWZ, &images.viewZ}};
-    if (denoised(Lobe::Specular)) all.emplace_back(ResourceType::IN_SPEC_MV, &images.specularMotion);
+    if (denoised(Lobe::Specular) && strideOf(*m_desc.set.lobes) == 1)
+        all.emplace_back(ResourceType::IN_SPEC_MV, &images.specularMotion);
     const auto add = [&](const std::vector<SlotImage>& own) { all.insert(all.end(), own.begin(), own.end()); };
     for (auto& lobe : m_lobes)
         if (lobe) add(lobe->slots());

@@ -2,6 +2,7 @@
 #pragma once
 #include "compose.h"
 #include "denoiser_set.h"
+#include "resolution.h"
 #include "retrace.h"
 #include "shadow_signal.h"
 #include "temporal_aa.h"
@@ -24,6 +25,7 @@ struct DenoiseDesc
     uint32_t framesInFlight = 2;
     ReplaySettings settings;             // of the set's families; those of a frame are made anew for each
     std::vector<Assignment> assignments; // --set, for the settings of a frame
+    Resolution resolution;               // of the denoisers that know one below the full size
     bool isSceneMoving = false;          // what reflections show may move on its own
     bool hasShadowSignal = false;        // as the tracer; a set without a denoiser of it shows it noisy
     bool isTimed = false;                // fills timings()
@@ -67,7 +69,8 @@ public:
     engine::Image* denoisedShadow() { return m_shadow ? &m_shadow->values() : nullptr; }
     const DenoiserSet& set() const { return m_desc.set; }
 
-    /// RGBA8: the validation overlay, written while enableValidation asks for it. Null without one.
+    /// RGBA8, of the denoiser's own size: the validation overlay, written while enableValidation asks for it. Null
+    /// without one.
     engine::Image* overlay() { return m_overlay ? &*m_overlay : nullptr; }
 
     /// R8, a texel per tile: how far the history of the lobe was trusted. Null without confidence.
@@ -83,6 +86,7 @@ public:
     nrd::Timings timings() const;
 
 private:
+    uint32_t strideOf(const SampleDenoiser& denoiser) const;
     void createImages();
     void createIntegration();
     void applyFamilySettings();

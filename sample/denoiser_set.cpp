@@ -84,6 +84,7 @@ std::vector<Family> DenoiserSet::families() const
 {
     std::vector<Family> all = {lobes->family};
     if (shadow) addOnce(all, shadow->family);
+    if (lobes->family == Family::Reblur || lobes->family == Family::Relax) addOnce(all, Family::Confidence);
     return all;
 }
 

@@ -15,7 +15,7 @@ struct DenoiserSet
     bool isNone() const { return lobes->family == Family::None && !shadow; }
     /// The picture is of light and some of it is denoised.
     bool composesLight() const;
-    /// Of its denoisers; not empty.
+    /// Of its denoisers, and of the history confidence where one of them heeds it; not empty.
     std::vector<Family> families() const;
 };
 

@@ -69,6 +69,7 @@ struct PackConstants
     uint32_t isDiffuse;
     uint32_t checkerboardMode;
     uint32_t frameIndex;
+    int32_t stride;
 };
 
 struct UnpackConstants
@@ -83,17 +84,22 @@ struct UnpackConstants
 
 LobeSignal::LobeSignal(const engine::Device& device, const LobeSignalDesc& desc) : m_desc(desc)
 {
-    const auto create = [&](ResourceType type, VkFormat format) {
-        return engine::Image(device, {nrd::toString(type), desc.width, desc.height, format});
+    const auto create = [&](ResourceType type, VkFormat format, uint32_t stride)
+    {
+        const uint32_t width = engine::groupCount(desc.width, stride), height = engine::groupCount(desc.height, stride);
+        return engine::Image(device, {nrd::toString(type), width, height, format});
     };
     for (const SlotRow& row : kSlots)
     {
         if (row.family != desc.family || row.format != desc.format || row.lobe != desc.lobe) continue;
-        m_inputs.push_back({row.input, row.mode, create(row.input, row.imageFormat)});
-        m_outputs.push_back({row.output, row.mode, create(row.output, row.imageFormat)});
+        m_inputs.push_back({row.input, row.mode, create(row.input, row.imageFormat, desc.stride)});
+        m_outputs.push_back({row.output, row.mode, create(row.output, row.imageFormat, 1)});
     }
+    if (desc.stride > 1 && desc.lobe == Lobe::Specular)
+        m_inputs.push_back(
+            {ResourceType::IN_SPEC_MV, LOBE_MOTION, create(ResourceType::IN_SPEC_MV, kRgba16, desc.stride)});
     m_values = engine::Image(device, {"unpacked lobe", desc.width, desc.height, VK_FORMAT_R32G32B32A32_SFLOAT});
-    m_pack = createPixelPipeline(device, shaderBlob(Shader::PackLobe), 4, sizeof(PackConstants), 2);
+    m_pack = createPixelPipeline(device, shaderBlob(Shader::PackLobe), 4, sizeof(PackConstants), 3);
     m_unpack = createPixelPipeline(device, shaderBlob(Shader::UnpackLobe), 4, sizeof(UnpackConstants));
 }
 
@@ -113,18 +119,20 @@ void LobeSignal::recordPack(VkCommandBuffer cmd, FrameImages& frame, uint32_t fr
     const bool isLight = m_desc.format == LobeFormat::Sh;
     engine::Image& direction = isDiffuse ? (isLight ? frame.diffuseOrigin : frame.diffuseDirection)
                                          : (isLight ? frame.specularOrigin : frame.specularDirection);
-    for (engine::Image* in : {&frame.viewZ, &frame.normalRoughness, &signal, &direction})
+    for (engine::Image* in : {&frame.viewZ, &frame.normalRoughness, &signal, &direction, &frame.specularMotion})
         transition(cmd, *in, engine::kSampled);
     for (Slot& slot : m_inputs)
     {
         transition(cmd, slot.image, engine::kStorage);
-        if (!slot.set) slot.set = m_pack.createSet({frame.viewZ, frame.normalRoughness, signal, direction, slot.image});
+        engine::Image& source = slot.mode == LOBE_MOTION ? frame.specularMotion : signal;
+        if (!slot.set) slot.set = m_pack.createSet({frame.viewZ, frame.normalRoughness, source, direction, slot.image});
         const PackConstants constants = {glm::vec4(m_desc.hitDistanceParameters, 0.0f),
-                                         glm::uvec2(m_desc.width, m_desc.height),
+                                         glm::uvec2(slot.image.desc().width, slot.image.desc().height),
                                          slot.mode,
                                          isDiffuse,
                                          static_cast<uint32_t>(m_desc.checkerboard),
-                                         frameIndex};
+                                         frameIndex,
+                                         static_cast<int32_t>(m_desc.stride)};
         dispatchPixels(cmd, m_pack, slot.set, constants, constants.size);
     }
 }

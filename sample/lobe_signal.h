@@ -20,6 +20,7 @@ struct LobeSignalDesc
     Family family = Family::Reblur;           // of the denoiser, which packs so; Reblur or Relax
     uint32_t width = 0;                       // pixels, as the tracer's
     uint32_t height = 0;
+    uint32_t stride = 1; // the denoiser takes every such pixel of every such row, and the motion of reflections so
     glm::vec3 hitDistanceParameters = glm::vec3(3.0f, 0.1f, 20.0f); // as the tracer's and the denoiser's
     nrd::CheckerboardMode checkerboard = nrd::CheckerboardMode::OFF;
 };
@@ -37,7 +38,7 @@ public:
     /// As the tracer's and the denoiser's, from the next frame on.
     void setHitDistanceParameters(const glm::vec3& parameters) { m_desc.hitDistanceParameters = parameters; }
 
-    /// Input and output slots.
+    /// Input and output slots; with a stride IN_SPEC_MV, too.
     std::vector<SlotImage> slots();
     /// RGBA32F: linear radiance, normalised hit distance or history length; sky: 0, 0, 0, 1.
     engine::Image& values() { return m_values; }
@@ -51,7 +52,7 @@ private:
         VkDescriptorSet set = VK_NULL_HANDLE; // of packing
     };
     LobeSignalDesc m_desc;
-    std::vector<Slot> m_inputs, m_outputs; // one or, with SH, two
+    std::vector<Slot> m_inputs, m_outputs; // one or, with SH, two; and motion
     engine::Image m_values;
     engine::ComputePipeline m_pack, m_unpack;
     VkDescriptorSet m_unpackSet = VK_NULL_HANDLE;

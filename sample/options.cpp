@@ -86,6 +86,8 @@ void addRendering(CLI::App& app, Options& o)
            "--scene", [&o](const std::string& s) { parseBuiltIn(s, o); },
            "Instead of SCENE, " + oneOf(builtInScenes()) + "; default cornell")
         ->option_text("NAME");
+    app.add_option("--offset", o.offset, "Move the scene so many units along X: what is lost far from the origin")
+        ->check(CLI::Range(-1e6, 1e6));
     app.add_option("--environment", o.environment, "Equirectangular picture, .hdr or .exr");
     app.add_option_function<std::string>(
            "--size", [&o](const std::string& s) { parseSize(s, o); }, "Resolution in pixels, default 480x270")
@@ -134,6 +136,7 @@ void addLobes(CLI::App& app, Options& o)
            "A field of the common or the denoiser's settings, such as maxBlurRadius=20; may be repeated")
         ->allow_extra_args(false) // or SCENE after it would be taken for a setting
         ->option_text("KEY=VALUE");
+    declareResolution(app, o.resolution);
     app.add_flag("--confidence", o.hasConfidence,
                  "Trace one in 25 of last frame's paths again, so that REBLUR and RELAX know where light has changed");
     addNamed(
@@ -198,6 +201,18 @@ void checkLobes(const Options& o)
             throw SettingError("--lobes merged leaves no specular lobe to " + set.name());
 }
 
+void checkResolution(const Options& o)
+{
+    if (o.resolution.divisor == 1) return;
+    if (o.checkerboard != nrd::CheckerboardMode::OFF)
+        throw SettingError("--divisor: --checkerboard leaves out pixels already");
+    if (o.resolution.isSparse && o.lobes == Lobes::Probabilistic)
+        throw SettingError("--sparse: --lobes probabilistic leaves out samples already");
+    for (Family family : familiesOf(o.sets))
+        if (resolutionOf(family, o.resolution).divisor > 1) return;
+    throw SettingError("--divisor: REBLUR and RELAX run at a smaller size, and with --sparse SIGMA");
+}
+
 void checkSettings(const Options& o)
 {
     if (o.settings.empty()) return;
@@ -217,6 +232,7 @@ void checkDenoisers(const Options& o)
     if (o.switchEvery > 0 && o.sets.size() < 2)
         throw SettingError("--switch-every: --denoiser names fewer than two, separated by commas");
     checkLobes(o);
+    checkResolution(o);
     checkSettings(o);
 }
 
@@ -235,6 +251,7 @@ void complete(Options& o)
     const bool hasFrames = o.referenceFrames.every != 0 || !o.referenceFrames.list.empty();
     if (o.referenceSpp > 0 && !hasFrames && (!o.capture.empty() || !o.demo.empty()))
         o.referenceFrames.every = o.demo.empty() ? 8 : 16;
+    o.hasWholeSignals = o.referenceSpp > 0 || !o.capture.empty() || !o.noisyScreenshot.empty();
     if (!o.referenceScreenshot.empty()) o.referenceFrames.list.push_back(o.frames - 1);
     if (!o.sets.empty()) checkDenoisers(o);
 }
@@ -250,6 +267,20 @@ ReplaySettings denoiserSettings(const Options& options)
     settings.reblur.hitDistanceReconstructionMode = settings.relax.hitDistanceReconstructionMode = mode;
     applySettings(settings, familiesOf(options.sets), options.settings);
     return settings;
+}
+
+uint32_t tracedStride(const Options& options)
+{
+    const auto isSparse = [&](const SampleDenoiser* denoiser)
+    { return denoiser && resolutionOf(denoiser->family, options.resolution).stride() > 1; };
+    const auto isDenoised = [&](const DenoiserSet& set)
+    {
+        const bool hasBoth = set.lobes->hasRadiance(Lobe::Diffuse) && set.lobes->hasRadiance(Lobe::Specular);
+        const bool hasLobes = hasBoth || (set.lobes->hasRadiance(Lobe::Diffuse) && options.lobes == Lobes::Merged);
+        return hasLobes && isSparse(set.lobes) && (!options.hasShadowSignal || isSparse(set.shadow));
+    };
+    const bool isAll = options.hasWholeSignals || !std::all_of(options.sets.begin(), options.sets.end(), isDenoised);
+    return isAll ? 1 : options.resolution.divisor;
 }
 
 std::vector<std::string> settleDenoisers(Options& options, const Scene& scene)

@@ -2,6 +2,7 @@
 #pragma once
 #include "built_in_scenes.h"
 #include "denoiser_choice.h"
+#include "resolution.h"
 
 #include <filesystem>
 #include <optional>
@@ -23,10 +24,13 @@ struct Options
 {
     std::filesystem::path scene;           // empty: a built-in one
     const BuiltInScene* builtIn = nullptr; // null: none was asked for
+    float offset = 0.0f;                   // world units along X, [-1e6; 1e6], of the whole scene
     std::filesystem::path environment;     // empty: none, or the default sky where nothing else shines
     std::vector<DenoiserSet> sets;         // all run in every frame; empty: settleDenoisers() chooses
     uint32_t switchEvery = 0;              // frames after which the next set is shown; 0: the first one is
     std::vector<Assignment> settings;      // --set
+    Resolution resolution;                 // of the sets' denoisers
+    bool hasWholeSignals = false;          // every pixel has paths, though the denoisers may read fewer
     std::optional<Lobes> lobes;            // nullopt: settleDenoisers() chooses
     bool hasShadowSignal = false;          // also where a set denoises it
     std::optional<float> sunRadius;        // degrees, [0; 45]; nullopt: the scene's
@@ -65,6 +69,9 @@ std::vector<std::string> settleDenoisers(Options& options, const Scene& scene);
 
 /// What the options ask of the denoisers: the settings they imply, then --set. Throws SettingError.
 ReplaySettings denoiserSettings(const Options& options);
+
+/// Pixels from one that is traced to the next: above 1 where all signals go to denoisers that take no more.
+uint32_t tracedStride(const Options& options);
 
 /// nullopt: everything is said and done (--help, --version, or an error on stderr), exit with `exitCode`.
 std::optional<Options> parseOptions(int argumentCount, char** arguments, int& exitCode);

@@ -198,7 +198,7 @@ void PathTracer::setPose(const Scene& scene, const ScenePose& pose, const Enviro
     store(m_triangles, "triangles", geometry.triangles);
     store(m_vertices, "vertices", geometry.vertices);
     store(m_motion, "motion vectors", geometry.motion);
-    store(m_lights, "lights", packLights(lights, bvh));
+    storeLights(lights, bvh);
     m_nodeCount = bvh.nodeCount;
     m_lightCount = static_cast<uint32_t>(lights.lights.size());
     m_environmentConstants.z = environmentLight(lights);
@@ -212,6 +212,21 @@ void PathTracer::setPose(const Scene& scene, const ScenePose& pose, const Enviro
     }
     m_sceneRadius = pose.bounds().radius();
     m_denoisingRange = std::max(1000.0f, 100.0f * m_sceneRadius);
+}
+
+// Paths that are traced again make the choices of the last frame, or they would differ for that alone.
+void PathTracer::storeLights(SceneLights lights, const Bvh& bvh)
+{
+    store(m_lights, "lights", packLights(lights, bvh));
+    if (m_isPoseTraced) m_tablesOfFrame = std::move(m_tables);
+    m_isPoseTraced = false;
+    m_tables = {lights.table, lights.primaryTable};
+    if (m_tablesOfFrame.any.size() == lights.lights.size())
+    {
+        lights.table = m_tablesOfFrame.any;
+        lights.primaryTable = m_tablesOfFrame.primary;
+    }
+    store(m_lightsAgain, "lights of re-traced paths", packLights(lights, bvh));
 }
 
 void PathTracer::recordFrame(VkCommandBuffer cmd, const View& view)
@@ -232,7 +247,9 @@ void PathTracer::recordFrame(VkCommandBuffer cmd, const View& view)
                                                  &i.specularMotion,
                                                  &i.shadow,
                                                  &i.sun};
-    record(cmd, kFrameMode, targets, view, glm::uvec4(m_desc.seed, view.frameIndex, 1, 1));
+    m_strideOfImages = m_desc.stride;
+    m_isPoseTraced = true;
+    record(cmd, kFrameMode, targets, view, glm::uvec4(m_desc.seed, view.frameIndex, 1, 1), m_desc.stride);
 }
 
 void PathTracer::recordReference(VkCommandBuffer cmd, const View& view, const ReferenceBatch& batch)
@@ -274,11 +291,12 @@ void PathTracer::record(VkCommandBuffer cmd, uint32_t mode, const std::vector<en
     c.sampling = sampling;
     c.shadow = glm::uvec4(m_shadowLightIndex, 0, 0, 0);
     c.tiles = glm::uvec4(engine::groupCount(m_desc.width, tileSize), engine::groupCount(m_desc.height, tileSize),
-                         tileSize, 0);
+                         tileSize, m_strideOfImages);
     std::memcpy(m_constants[m_slot].mapped().data(), &c, sizeof(c));
 
+    const engine::Buffer& lights = mode == kRetraceMode && !m_isPoseTraced ? m_lightsAgain : m_lights;
     std::vector<engine::Binding> bindings = {m_constants[m_slot], m_nodes,  m_triangles, m_vertices,    m_motion,
-                                             m_materials,         m_texels, m_lights,    m_environment, m_energy};
+                                             m_materials,         m_texels, lights,      m_environment, m_energy};
     for (engine::Image* target : targets)
     {
         transition(cmd, *target, engine::kStorage);
@@ -290,6 +308,7 @@ void PathTracer::record(VkCommandBuffer cmd, uint32_t mode, const std::vector<en
     else
         set = program.pipeline->createSet(bindings);
     const uint32_t groups = engine::groupCount(c.tiles.x, kGroupSize) * engine::groupCount(c.tiles.y, kGroupSize);
-    program.pipeline->dispatch(cmd, set, {}, {groups, 1, 1});
+    const uint32_t pixelsOfTile = mode == kRetraceMode ? 1 : tileSize * tileSize;
+    program.pipeline->dispatch(cmd, set, {}, {groups, pixelsOfTile, 1});
 }
 } // namespace sample

@@ -34,7 +34,8 @@ struct TracerDesc
     // Of frames; references always have all samples. What a pixel does not trace is 0 in every component.
     Lobes lobes = Lobes::Both;
     nrd::CheckerboardMode checkerboard = nrd::CheckerboardMode::OFF; // each lobe in its half of the pixels
-    glm::vec3 hitDistanceParameters = glm::vec3(3.0f, 0.1f, 20.0f);  // A (world units), B, C
+    uint32_t stride = 1; // [1; 8]: only every such pixel of every such row of frames has paths and a shadow
+    glm::vec3 hitDistanceParameters = glm::vec3(3.0f, 0.1f, 20.0f); // A (world units), B, C
     // SceneLights::shadowLight lights the primary surface apart: not in `diffuse` and `specular`, but in `sun`, with
     // its shadow in `shadow`. Needs hasShadowLight().
     bool hasShadowSignal = false;
@@ -105,18 +106,20 @@ public:
     void recordPlain(VkCommandBuffer cmd, const View& view, const ReferenceBatch& batch);
 
     /// Traces the paths of the frame that `view` showed once more, through the scene as it is now: of each tile of
-    /// `tileSize` pixels a side the one of NRD_GetConfidencePixel. `target` has a texel per tile; see
-    /// IN_RETRACED_SAMPLE.
+    /// `tileSize` pixels a side the one of NRD_GetConfidencePixel, or the one with paths before it. `target` has a
+    /// texel per tile; see IN_RETRACED_SAMPLE.
     void recordRetrace(VkCommandBuffer cmd, const View& view, engine::Image& target, uint32_t tileSize);
 
     /// What may change from frame to frame; the other fields of the description are final.
     void setLimits(uint32_t maxBounces, float roughening);
     void setHitDistanceParameters(const glm::vec3& parameters) { m_desc.hitDistanceParameters = parameters; }
+    void setStride(uint32_t stride) { m_desc.stride = stride; }
     /// Another picture of the same size, or none where there was none; then setPose() must follow. Waits for the
     /// device.
     void setEnvironment(const Environment* environment);
 
     FrameImages& images() { return m_images; }
+    uint32_t strideOfImages() const { return m_strideOfImages; } // of the last frame
     engine::Image& sumDiffuse() { return m_sumDiffuse; }
     engine::Image& sumSpecular() { return m_sumSpecular; }
     engine::Image& sumShadow() { return m_sumShadow; }
@@ -129,6 +132,12 @@ public:
     float denoisingRange() const { return m_denoisingRange; }
 
 private:
+    // How light samples choose.
+    struct LightTables
+    {
+        std::vector<AliasEntry> any, primary;
+    };
+    void storeLights(SceneLights lights, const Bvh& bvh);
     void createImages();
     void createTables(const Scene& scene, const Environment* environment);
     // Compiled when it is used first: a frame needs one, and each costs a second on a CPU.
@@ -148,8 +157,12 @@ private:
     FrameImages m_images;
     engine::Image m_sumDiffuse, m_sumSpecular, m_sumShadow;
     engine::Buffer m_nodes, m_triangles, m_vertices, m_motion, m_materials, m_texels, m_lights, m_environment, m_energy;
+    engine::Buffer m_lightsAgain;            // those of the pose, chosen from as in the last frame
+    LightTables m_tables, m_tablesOfFrame;   // of the pose, of the last frame before it
+    bool m_isPoseTraced = false;             // there is a frame of it
     std::vector<engine::Buffer> m_constants; // ring
     uint32_t m_slot = 0;
+    uint32_t m_strideOfImages = 1;
     std::array<Program, 4> m_programs; // by mode
     float m_denoisingRange = 1000.0f;
     float m_sceneRadius = 1.0f;

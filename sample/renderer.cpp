@@ -11,7 +11,8 @@ namespace sample
 namespace
 {
 constexpr uint32_t kFramesInFlight = 2;
-constexpr uint32_t kBatch = 8; // samples of one submission: short enough for the watchdogs of desktop GPUs
+constexpr uint32_t kTracingMarks = 3; // before, between and after re-traced samples and a frame
+constexpr uint32_t kBatch = 8;        // samples of one submission: short enough for the watchdogs of desktop GPUs
 
 TracerDesc tracerDesc(const Options& options)
 {
@@ -23,6 +24,7 @@ TracerDesc tracerDesc(const Options& options)
     desc.roughening = options.roughening;
     desc.lobes = options.lobes.value_or(Lobes::Both);
     desc.checkerboard = options.checkerboard;
+    desc.stride = tracedStride(options);
     desc.hitDistanceParameters = hitDistanceParametersOf(denoiserSettings(options));
     desc.hasShadowSignal = options.hasShadowSignal;
     desc.mirrorRoughness = options.hasPsr ? kMirrorRoughness : 0.0f;
@@ -98,6 +100,7 @@ DenoiseDesc denoiseDesc(const Options& options, const Scene& scene, const Denois
     desc.framesInFlight = kFramesInFlight;
     desc.settings = denoiserSettings(options);
     desc.assignments = options.settings;
+    desc.resolution = options.resolution;
     desc.isSceneMoving = !scene.channels.empty();
     desc.hasShadowSignal = options.hasShadowSignal;
     desc.hasTemporalAa = options.hasTemporalAa;
@@ -126,6 +129,7 @@ Stage loadStage(const Options& options)
     if (isDefault) stage.notes.push_back("No scene was given: showing the built-in Cornell box.");
     const BuiltInScene& builtIn = options.builtIn ? *options.builtIn : builtInScenes().front();
     stage.scene = options.scene.empty() ? builtIn.make() : loadGltf(options.scene);
+    stage.scene.origin.x = options.offset;
     for (PunctualLight& light : stage.scene.lights)
         if (options.sunRadius) light.tanAngularRadius = std::tan(glm::radians(*options.sunRadius));
     if (!options.environment.empty()) stage.environment = makeEnvironment(readImage(options.environment));
@@ -142,6 +146,7 @@ Renderer::Renderer(const engine::Device& device, const Stage& stage, const Optio
     : m_device(device), m_stage(stage), m_options(options), m_pose(stage.scene),
       m_tracer(device, stage.scene, environmentOf(stage), tracerDesc(options)), m_ring(device, kFramesInFlight)
 {
+    for (uint32_t i = 0; i < kFramesInFlight; ++i) m_timestamps.emplace_back(device, kTracingMarks);
     if (options.hasConfidence) m_retrace.emplace(device, options.width, options.height);
     for (const DenoiserSet& set : options.sets)
         m_stages.push_back(std::make_unique<DenoiseStage>(device, denoiseDesc(options, stage.scene, set)));
@@ -199,6 +204,20 @@ void Renderer::pose(const FrameInput& input)
     m_tracer.setPose(m_stage.scene, *m_pose, environmentOf(m_stage));
 }
 
+void Renderer::trace(VkCommandBuffer cmd, const View& lastView)
+{
+    engine::Timestamps& timestamps = m_timestamps[m_ring.slot()];
+    const std::vector<double> last = timestamps.read(); // of the slot's frame before, which is done
+    if (last.size() == 2) m_tracingTimes = {{"re-traced samples", float(last[0])}, {"paths", float(last[1])}};
+    if (last.size() == 2 && !m_retrace) m_tracingTimes.erase(m_tracingTimes.begin());
+    timestamps.reset(cmd);
+    timestamps.mark(cmd);
+    if (m_retrace) m_retrace->record(cmd, m_tracer, lastView);
+    timestamps.mark(cmd);
+    m_tracer.recordFrame(cmd, m_frame.view);
+    timestamps.mark(cmd);
+}
+
 void Renderer::startFrame(const FrameInput& input)
 {
     pose(input);
@@ -214,8 +233,7 @@ void Renderer::startFrame(const FrameInput& input)
     m_frame.shadowLight = m_tracer.shadowLight();
     m_frame.retrace = m_retrace ? &*m_retrace : nullptr;
     VkCommandBuffer cmd = m_ring.begin();
-    if (m_retrace) m_retrace->record(cmd, m_tracer, index == 0 ? m_frame.view : lastView);
-    m_tracer.recordFrame(cmd, m_frame.view);
+    trace(cmd, index == 0 ? m_frame.view : lastView);
     for (auto& stage : m_stages)
         if (stage) stage->record(cmd, m_tracer.images(), m_frame);
     m_ring.submit();

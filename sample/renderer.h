@@ -3,6 +3,7 @@
 #include "capture.h"
 #include "denoise.h"
 #include "engine/commands.h"
+#include "engine/timestamps.h"
 #include "options.h"
 #include "signals.h"
 
@@ -74,6 +75,9 @@ public:
     bool isFraming() const { return m_framing.has_value(); }
     double denoiserMiB(size_t set) const { return m_stages[set]->memoryMiB(); }
 
+    /// GPU time of what is traced, of a frame some frames ago.
+    const std::vector<nrd::PassTime>& tracingTimes() const { return m_tracingTimes; }
+
     PathTracer& tracer() { return m_tracer; }
     DenoiseStage& stage(size_t set) { return *m_stages[set]; }
     const DenoiseFrame& frame() const { return m_frame; }
@@ -82,6 +86,7 @@ public:
 
 private:
     void pose(const FrameInput& input);
+    void trace(VkCommandBuffer cmd, const View& lastView);
     Planes readSums(uint32_t samples, const Planes& frame);
 
     const engine::Device& m_device;
@@ -96,6 +101,8 @@ private:
     std::optional<Retrace> m_retrace;
     std::vector<std::unique_ptr<DenoiseStage>> m_stages; // by set
     engine::FrameRing m_ring;
+    std::vector<engine::Timestamps> m_timestamps; // by slot of the ring
+    std::vector<nrd::PassTime> m_tracingTimes;
     DenoiseFrame m_frame;
     uint32_t m_nextFrame = 0;
 };

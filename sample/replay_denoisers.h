@@ -15,7 +15,8 @@ enum class Family : uint8_t
     Reblur,
     Relax,
     Sigma,
-    Reference
+    Reference,
+    Confidence // no denoiser; of settings
 };
 
 struct ReplayDenoiser

@@ -185,6 +185,10 @@ std::vector<SettingField> settingFields(ReplaySettings& settings, Family family)
     case Family::Sigma:
         own = nrd::settingFields(settings.sigma);
         break;
+    case Family::Confidence:
+        own = nrd::settingFields(settings.confidence);
+        for (SettingField& field : own) field.name = "confidence." + field.name;
+        break;
     case Family::None:
         break;
     }

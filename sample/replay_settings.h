@@ -27,6 +27,7 @@ struct ReplaySettings
     nrd::RelaxSettings relax;
     nrd::SigmaSettings sigma;
     nrd::ReferenceSettings reference;
+    nrd::ConfidenceSettings confidence;
 };
 
 // What `set` answers to the family's settings; SUCCESS for a family without any.
@@ -43,6 +44,7 @@ template <class Set> nrd::Result setDenoiserSettings(const ReplaySettings& setti
     case Family::Sigma:
         return set(settings.sigma);
     case Family::None:
+    case Family::Confidence:
         break;
     }
     return nrd::Result::SUCCESS;
@@ -55,7 +57,8 @@ using nrd::SettingField;
 using nrd::SettingRange;
 using nrd::SettingTarget;
 
-// The fields --set reaches for a family: the common ones, then the family's own.
+// The fields --set reaches for a family: the common ones, then the family's own; those of confidence are
+// "confidence.x".
 std::vector<SettingField> settingFields(ReplaySettings& settings, Family family);
 
 // The families' settings at a preset; the common ones know none.

@@ -15,7 +15,18 @@ struct Resolution
 {
     uint32_t divisor = 1;  // [1; 8], of a side
     bool isSparse = false; // noisy signals of every such pixel of every such row only, instead of means of all
+    bool operator==(const Resolution&) const = default;
+
+    /// Pixels from one that is read to the next.
+    uint32_t stride() const { return isSparse ? divisor : 1; }
 };
+
+/// What a denoiser of the family takes of it: REFERENCE keeps the full size, SIGMA where means are asked for.
+inline Resolution resolutionOf(Family family, const Resolution& resolution)
+{
+    const bool averages = family == Family::Reblur || family == Family::Relax;
+    return averages || (family == Family::Sigma && resolution.isSparse) ? resolution : Resolution();
+}
 
 // --divisor and --sparse.
 void declareResolution(CLI::App& app, Resolution& resolution);

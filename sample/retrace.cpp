@@ -12,6 +12,7 @@ struct StoreConstants
     glm::uvec2 size;
     glm::uvec2 tiles;
     int32_t tileSize;
+    int32_t stride;
 };
 } // namespace
 
@@ -37,11 +38,11 @@ Retrace::Retrace(const engine::Device& device, uint32_t width, uint32_t height)
 
 void Retrace::record(VkCommandBuffer cmd, PathTracer& tracer, const View& lastView)
 {
-    store(cmd, tracer.images());
+    store(cmd, tracer.images(), tracer.strideOfImages());
     tracer.recordRetrace(cmd, lastView, m_retraced, kTileSize);
 }
 
-void Retrace::store(VkCommandBuffer cmd, FrameImages& frame)
+void Retrace::store(VkCommandBuffer cmd, FrameImages& frame, uint32_t stride)
 {
     engine::Image* const sources[] = {&frame.viewZ, &frame.normalRoughness, &frame.diffuse, &frame.specular};
     std::vector<engine::Binding> bindings;
@@ -56,7 +57,7 @@ void Retrace::store(VkCommandBuffer cmd, FrameImages& frame)
         bindings.emplace_back(*target);
     }
     if (!m_storeSet) m_storeSet = m_store.createSet(bindings);
-    const StoreConstants constants = {m_size, m_tiles, int32_t(kTileSize)};
+    const StoreConstants constants = {m_size, m_tiles, int32_t(kTileSize), int32_t(stride)};
     m_store.dispatch(cmd, m_storeSet, std::as_bytes(std::span(&constants, 1)),
                      {engine::groupCount(m_tiles.x, 8), engine::groupCount(m_tiles.y, 8), 1});
 }

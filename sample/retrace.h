@@ -21,7 +21,7 @@ public:
     engine::Image& retracedSample() { return m_retraced; }
 
 private:
-    void store(VkCommandBuffer cmd, FrameImages& frame);
+    void store(VkCommandBuffer cmd, FrameImages& frame, uint32_t stride);
 
     glm::uvec2 m_size, m_tiles;
     engine::Image m_stored, m_normalRoughness, m_retraced;

@@ -173,7 +173,8 @@ struct Scene
     std::vector<Texture> textures;
     std::vector<Material> materials; // at least one
     std::vector<Mesh> meshes;
-    std::vector<Node> nodes; // parents before children
+    std::vector<Node> nodes;            // parents before children
+    glm::vec3 origin = glm::vec3(0.0f); // where the nodes without a parent have theirs, world units
     std::vector<Skin> skins;
     std::vector<PerspectiveCamera> cameras;
     std::vector<PunctualLight> lights;

@@ -79,12 +79,24 @@ void addPunctual(const Scene& scene, const ScenePose& pose, SceneLights& out, st
         light.position = glm::vec3(toWorld[3]);
         const glm::vec3 along = -glm::vec3(toWorld[2]);
         if (glm::length(along) > 0.0f) light.direction = glm::normalize(along);
-        const double power = powerOf(light, double(pose.bounds().radius()));
-        if (!(power > 0.0)) continue;
+        // One that is off keeps its place: it may be the shadow's, and come back.
         out.lights.push_back(light);
-        powers.push_back(power);
+        powers.push_back(std::max(0.0, powerOf(light, double(pose.bounds().radius()))));
     }
 }
+
+// A tenth of all power is spread evenly over the lights that shine, so that a weak one that is near is found often
+// enough. Returns the sum before.
+double addFloor(std::vector<double>& powers)
+{
+    double sum = 0.0, count = 0.0;
+    for (double power : powers) sum += power;
+    for (double power : powers) count += power > 0.0;
+    for (double& power : powers)
+        if (power > 0.0) power += 0.1 * sum / count;
+    return sum;
+}
+
 int findShadowLight(const std::vector<SceneLight>& lights)
 {
     for (LightKind kind : {LightKind::Directional, LightKind::Spot})
@@ -106,10 +118,7 @@ SceneLights collectLights(const Scene& scene, const ScenePose& pose, const Envir
     std::vector<double> powers;
     addTriangles(scene, pose, out, powers);
     addPunctual(scene, pose, out, powers);
-    double sum = 0.0;
-    for (double power : powers) sum += power;
-    // A tenth is spread evenly, so that a light that is weak but near is found often enough.
-    for (double& power : powers) power += 0.1 * sum / double(powers.size());
+    const double sum = addFloor(powers);
     if (environment)
     {
         const double radius = double(pose.bounds().radius());

@@ -162,10 +162,11 @@ void ScenePose::updateNodes(float time)
 {
     for (const AnimationChannel& channel : m_scene.channels) apply(channel, time, m_nodes[size_t(channel.node)]);
     m_nodeToWorld.resize(m_nodes.size());
+    const glm::mat4 root = glm::translate(glm::mat4(1.0f), m_scene.origin);
     for (size_t n = 0; n < m_nodes.size(); ++n)
     {
         const glm::mat4 local = localMatrix(m_nodes[n]);
-        m_nodeToWorld[n] = m_nodes[n].parent == kNone ? local : m_nodeToWorld[size_t(m_nodes[n].parent)] * local;
+        m_nodeToWorld[n] = (m_nodes[n].parent == kNone ? root : m_nodeToWorld[size_t(m_nodes[n].parent)]) * local;
     }
 }
 

@@ -16,6 +16,7 @@ struct PackConstants
     uint32_t mode;
     float tanAngularRadius;
     float lightSize;
+    int32_t stride;
 };
 
 struct UnpackConstants
@@ -28,16 +29,18 @@ struct UnpackConstants
 
 ShadowSignal::ShadowSignal(const engine::Device& device, const ShadowSignalDesc& desc) : m_desc(desc)
 {
-    const auto create = [&](ResourceType type, VkFormat format) {
-        return engine::Image(device, {nrd::toString(type), desc.width, desc.height, format});
+    const auto create = [&](ResourceType type, VkFormat format, uint32_t stride)
+    {
+        const uint32_t width = engine::groupCount(desc.width, stride), height = engine::groupCount(desc.height, stride);
+        return engine::Image(device, {nrd::toString(type), width, height, format});
     };
-    m_inputs.push_back(
-        {ResourceType::IN_PENUMBRA, SHADOW_PENUMBRA, create(ResourceType::IN_PENUMBRA, VK_FORMAT_R16_SFLOAT)});
-    if (desc.isTranslucent)
-        m_inputs.push_back({ResourceType::IN_TRANSLUCENCY, SHADOW_TRANSLUCENCY,
-                            create(ResourceType::IN_TRANSLUCENCY, VK_FORMAT_R8G8B8A8_UNORM)});
+    const auto add = [&](ResourceType type, uint32_t mode, VkFormat format) {
+        m_inputs.push_back({type, mode, create(type, format, desc.stride)});
+    };
+    add(ResourceType::IN_PENUMBRA, SHADOW_PENUMBRA, VK_FORMAT_R16_SFLOAT);
+    if (desc.isTranslucent) add(ResourceType::IN_TRANSLUCENCY, SHADOW_TRANSLUCENCY, VK_FORMAT_R8G8B8A8_UNORM);
     m_output = create(ResourceType::OUT_SHADOW_TRANSLUCENCY,
-                      desc.isTranslucent ? VK_FORMAT_R8G8B8A8_UNORM : VK_FORMAT_R8_UNORM);
+                      desc.isTranslucent ? VK_FORMAT_R8G8B8A8_UNORM : VK_FORMAT_R8_UNORM, 1);
     m_values = engine::Image(device, {"unpacked shadow", desc.width, desc.height, VK_FORMAT_R32G32B32A32_SFLOAT});
     m_pack = createPixelPipeline(device, shaderBlob(Shader::PackShadow), 2, sizeof(PackConstants), 2);
     m_unpack = createPixelPipeline(device, shaderBlob(Shader::UnpackShadow), 2, sizeof(UnpackConstants));
@@ -58,8 +61,9 @@ void ShadowSignal::recordPack(VkCommandBuffer cmd, FrameImages& frame, const Sce
     {
         transition(cmd, input.image, engine::kStorage);
         if (!input.set) input.set = m_pack.createSet({frame.shadow, frame.sun, input.image});
-        const PackConstants constants = {glm::uvec2(m_desc.width, m_desc.height), input.mode,
-                                         light.source.tanAngularRadius, 2.0f * light.source.radius};
+        const PackConstants constants = {glm::uvec2(input.image.desc().width, input.image.desc().height), input.mode,
+                                         light.source.tanAngularRadius, 2.0f * light.source.radius,
+                                         static_cast<int32_t>(m_desc.stride)};
         dispatchPixels(cmd, m_pack, input.set, constants, constants.size);
     }
 }

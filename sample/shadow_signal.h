@@ -9,6 +9,7 @@ struct ShadowSignalDesc
     bool isTranslucent = false; // SIGMA_SHADOW_TRANSLUCENCY
     uint32_t width = 0;         // pixels, as the tracer's
     uint32_t height = 0;
+    uint32_t stride = 1; // the denoiser takes every such pixel of every such row
 };
 
 class ShadowSignal

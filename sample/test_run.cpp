@@ -25,6 +25,7 @@ Options optionsOf(const TestCase& test, const fs::path& folder)
     int exitCode = 0;
     std::optional<Options> options = parseOptions(int(arguments.size()), arguments.data(), exitCode);
     if (!options) throw FileError("its arguments are refused");
+    options->hasWholeSignals = true; // for the capture
     const ReferenceFrames& frames = options->referenceFrames;
     if (frames.every == 0 && frames.list.empty()) options->referenceFrames.every = 8;
     for (fs::path* file : {&options->scene, &options->environment})

@@ -231,5 +231,19 @@ std::vector<SettingField> settingFields(ReferenceSettings& s)
     });
     return all;
 }
+
+std::vector<SettingField> settingFields(ConfidenceSettings& s)
+{
+    std::vector<SettingField> all;
+    add(all, "History confidence", {
+        field("sensitivity", s.sensitivity, above(0, 100)),
+        field("tolerance", s.tolerance, {0, 1}),
+        field("minLuminance", s.minLuminance, above(0, 65504)),
+        field("maxLuminance", s.maxLuminance, above(0, 65504)),
+        field("planeDistanceSensitivity", s.planeDistanceSensitivity, above(0, 1)),
+        field("blurPassNum", s.blurPassNum, {0, 5}),
+    });
+    return all;
+}
 // clang-format on
 } // namespace nrd

@@ -35,4 +35,5 @@ std::vector<SettingField> settingFields(ReblurSettings& settings);
 std::vector<SettingField> settingFields(RelaxSettings& settings);
 std::vector<SettingField> settingFields(SigmaSettings& settings);
 std::vector<SettingField> settingFields(ReferenceSettings& settings);
+std::vector<SettingField> settingFields(ConfidenceSettings& settings);
 } // namespace nrd

@@ -49,6 +49,8 @@ vec3 picture(vec4 value, vec4 over)
         return 0.5 + 0.5 * value.rgb;
     case VIEW_W:
         return vec3(value.w * range);
+    case VIEW_X:
+        return value.xxx * range;
     case VIEW_DEPTH:
         return vec3(1.0 / (1.0 + abs(value.x) * range));
     case VIEW_MOTION:
@@ -64,13 +66,19 @@ vec3 picture(vec4 value, vec4 over)
     }
 }
 
+// An image of another size fills the picture, too.
+vec4 fetch(texture2D image, ivec2 pixel)
+{
+    return texelFetch(image, pixel * textureSize(image, 0) / ivec2(size), 0);
+}
+
 void main()
 {
     if (any(greaterThanEqual(gl_GlobalInvocationID.xy, size))) return;
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
     bool isRight = pixel.x >= split;
-    vec4 value = isRight ? texelFetch(gIn_Right, pixel, 0) : texelFetch(gIn_Left, pixel, 0);
-    vec4 over = isRight ? texelFetch(gIn_RightOver, pixel, 0) : texelFetch(gIn_LeftOver, pixel, 0);
+    vec4 value = isRight ? fetch(gIn_Right, pixel) : fetch(gIn_Left, pixel);
+    vec4 over = isRight ? fetch(gIn_RightOver, pixel) : fetch(gIn_LeftOver, pixel);
     vec3 color = clamp(picture(value, over), 0.0, 1.0);
     if (pixel.x == split) color = vec3(1.0);
     ivec2 away = abs(pixel - picked);

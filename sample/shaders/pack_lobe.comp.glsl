@@ -16,11 +16,12 @@ layout(set = 0, binding = 4) uniform writeonly image2D gOut_Slot;
 layout(push_constant) uniform Constants
 {
     vec4 hitDistanceParameters; // .xyz A, B, C
-    uvec2 size;                 // pixels
+    uvec2 size;                 // texels of the slot
     uint mode;                  // LOBE_...
     uint isDiffuse;
     uint checkerboardMode; // nrd::CheckerboardMode
     uint frameIndex;
+    int stride; // pixels from one that the slot has to the next
 };
 
 vec4 packRelax(vec4 signal, vec3 direction)
@@ -34,6 +35,7 @@ vec4 packRelax(vec4 signal, vec3 direction)
 vec4 pack(ivec2 pixel)
 {
     vec4 signal = texelFetch(gIn_Signal, pixel, 0);
+    if (mode == LOBE_MOTION) return signal;
     vec3 direction = texelFetch(gIn_Direction, pixel, 0).xyz;
     if (mode >= LOBE_RELAX) return packRelax(signal, direction);
     float roughness = isDiffuse != 0u ? 1.0 : texelFetch(gIn_NormalRoughness, pixel, 0).w;
@@ -50,7 +52,7 @@ vec4 pack(ivec2 pixel)
 void main()
 {
     if (any(greaterThanEqual(gl_GlobalInvocationID.xy, size))) return;
-    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
-    if (!hasCheckerboardSample(pixel, frameIndex, checkerboardMode, isDiffuse != 0u)) return;
-    imageStore(gOut_Slot, packedPixel(pixel, checkerboardMode), roundToHalf(pack(pixel)));
+    ivec2 texel = ivec2(gl_GlobalInvocationID.xy);
+    if (!hasCheckerboardSample(texel, frameIndex, checkerboardMode, isDiffuse != 0u)) return;
+    imageStore(gOut_Slot, packedPixel(texel, checkerboardMode), roundToHalf(pack(texel * stride)));
 }

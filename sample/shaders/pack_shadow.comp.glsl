@@ -12,10 +12,11 @@ layout(set = 0, binding = 1) uniform texture2D gIn_Sun;    // .w: distance to th
 layout(set = 0, binding = 2) uniform writeonly image2D gOut_Slot;
 layout(push_constant) uniform Constants
 {
-    uvec2 size; // pixels
+    uvec2 size; // texels of the slot
     uint mode;  // SHADOW_...
     float tanAngularRadius; // of an infinitely distant light
     float lightSize;        // diameter of another, world units
+    int stride;             // pixels from one that the slot has to the next
 };
 
 float packPenumbra(float hitDist, float distanceToLight)
@@ -27,9 +28,9 @@ float packPenumbra(float hitDist, float distanceToLight)
 void main()
 {
     if (any(greaterThanEqual(gl_GlobalInvocationID.xy, size))) return;
-    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+    ivec2 texel = ivec2(gl_GlobalInvocationID.xy), pixel = texel * stride;
     vec4 shadow = texelFetch(gIn_Shadow, pixel, 0);
     vec4 packed = SIGMA_FrontEnd_PackTranslucency(shadow.w, shadow.rgb);
     if (mode == SHADOW_PENUMBRA) packed = vec4(roundToHalf(packPenumbra(shadow.w, texelFetch(gIn_Sun, pixel, 0).w)));
-    imageStore(gOut_Slot, pixel, packed);
+    imageStore(gOut_Slot, texel, packed);
 }

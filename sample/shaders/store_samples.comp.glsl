@@ -16,6 +16,7 @@ layout(push_constant) uniform Constants
     uvec2 size;  // pixels
     uvec2 tiles;
     int tileSize;
+    int stride; // pixels from one that has samples to the next
 };
 
 void main()
@@ -23,6 +24,7 @@ void main()
     if (any(greaterThanEqual(gl_GlobalInvocationID.xy, tiles))) return;
     ivec2 tile = ivec2(gl_GlobalInvocationID.xy);
     ivec2 pixel = NRD_GetConfidencePixel(tile, tileSize, ivec2(size));
+    pixel -= pixel % stride;
     vec4 surface = texelFetch(gIn_NormalRoughness, pixel, 0);
     vec3 diffuse = texelFetch(gIn_Diffuse, pixel, 0).rgb, specular = texelFetch(gIn_Specular, pixel, 0).rgb;
     float viewZ = texelFetch(gIn_ViewZ, pixel, 0).x;

@@ -34,12 +34,25 @@ layout(set = 0, binding = 11, rgba32f) uniform image2D gSum_Specular;
 layout(set = 0, binding = 12, rgba32f) uniform image2D gSum_Shadow; // translucency, .w: rays that crossed nothing
 #endif
 
-// A group of 64 is 8 x 8 pixels; eight lanes that run together are 4 x 2 of them.
-ivec2 pixelOf(uint group, uint lane, uint width)
+// A group of 64 is 8 x 8 tiles; eight lanes that run together are 4 x 2 of them.
+ivec2 tileOf(uint group, uint lane)
 {
-    uint columns = (width + 7u) / 8u;
-    uvec2 tile = uvec2(group % columns, group / columns);
-    return ivec2(tile * 8u + uvec2((lane & 3u) | ((lane >> 1) & 4u), ((lane >> 2) & 1u) | ((lane >> 3) & 6u)));
+    uint columns = (g.tiles.x + 7u) / 8u;
+    uvec2 block = uvec2(group % columns, group / columns);
+    return ivec2(block * 8u + uvec2((lane & 3u) | ((lane >> 1) & 4u), ((lane >> 2) & 1u) | ((lane >> 3) & 6u)));
+}
+
+// The pixels that have paths are in groups of their own, so that no lane waits for a neighbour's.
+bool hasPaths() { return gl_WorkGroupID.y == 0u; }
+
+ivec2 pixelOf(ivec2 tile)
+{
+#if MODE == 3
+    ivec2 pixel = NRD_GetConfidencePixel(tile, int(g.tiles.z), ivec2(g.size.xy));
+    return pixel - pixel % int(g.tiles.w); // one that had paths
+#else
+    return tile * int(g.tiles.z) + ivec2(gl_WorkGroupID.y % g.tiles.z, gl_WorkGroupID.y / g.tiles.z);
+#endif
 }
 
 vec3 primaryDirection(ivec2 pixel)
@@ -54,8 +67,8 @@ vec3 primaryDirection(ivec2 pixel)
 void storeShadow(ivec2 pixel, Surface s, bool isSky, vec3 tint, uint seed)
 {
     vec4 sun = isSky ? vec4(0.0) : unshadowedRadiance(s, makeBsdf(s));
-    Shadow shadow = Shadow(vec3(1.0), kMiss);
-    if (!isSky) shadow = traceShadow(s, sun.rgb, sampleSquare(seed + kShadowPair, g.sampling.y));
+    Shadow shadow = hasPaths() ? Shadow(vec3(1.0), kMiss) : Shadow(vec3(0.0), 0.0);
+    if (hasPaths() && !isSky) shadow = traceShadow(s, sun.rgb, sampleSquare(seed + kShadowPair, g.sampling.y));
     imageStore(gOut_Shadow, pixel, vec4(shadow.transmittance, shadow.distance));
     imageStore(gOut_Sun, pixel, vec4(bounded(sun.rgb) * tint, sun.w));
 }
@@ -118,14 +131,8 @@ Split splitOf(Surface s)
 
 void main()
 {
-#if MODE == 3
-    ivec2 tile = pixelOf(gl_WorkGroupID.x, gl_LocalInvocationIndex, g.tiles.x);
-    if (any(greaterThanEqual(uvec2(tile), g.tiles.xy))) return;
-    ivec2 pixel = NRD_GetConfidencePixel(tile, int(g.tiles.z), ivec2(g.size.xy));
-#else
-    ivec2 pixel = pixelOf(gl_WorkGroupID.x, gl_LocalInvocationIndex, g.size.x);
-    if (any(greaterThanEqual(uvec2(pixel), g.size.xy))) return;
-#endif
+    ivec2 tile = tileOf(gl_WorkGroupID.x, gl_LocalInvocationIndex), pixel = pixelOf(tile);
+    if (any(greaterThanEqual(uvec2(tile), g.tiles.xy)) || any(greaterThanEqual(uvec2(pixel), g.size.xy))) return;
     Primary p = findPrimary(g.viewToWorld[3].xyz, primaryDirection(pixel));
     Surface s = p.surface;
     float viewZ = p.isSky ? g.frustum.w : (g.worldToView * vec4(unfoldPosition(p, s.position), 1.0)).z;
@@ -134,7 +141,7 @@ void main()
     uint seed = hash(uint(pixel.y) * g.size.x + uint(pixel.x) + g.sampling.x * 0x9E3779B9u);
 
     PathSums sums = noPaths();
-    if (!p.isSky) sums = tracePaths(s, viewZ, p.width, split, seed);
+    if (!p.isSky && hasPaths()) sums = tracePaths(s, viewZ, p.width, split, seed);
 #if MODE == 0
     storeGuides(pixel, p, viewZ);
     storeSignals(pixel, p, split, sums);

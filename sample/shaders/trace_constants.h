@@ -23,7 +23,7 @@ struct TraceConstants
     uvec4 environment; // .xy texels, .z its index among the lights, .w largest number of bounces
     uvec4 sampling;    // .x seed, .y first index in the sequence, .z number of samples, .w 1: clear the sums first
     uvec4 shadow;      // .x the light whose shadow is a signal of its own
-    uvec4 tiles;       // .xy number of tiles, .z pixels a side: of those of which one path is traced again
+    uvec4 tiles;       // .xy number of tiles, of which one pixel has paths, .z pixels a side; .w as .z, of frames
 };
 
 #ifdef __cplusplus

@@ -10,6 +10,7 @@
 #define VIEW_ID 6u         // .w: a colour for each whole number
 #define VIEW_DIFFERENCE 7u // tone-mapped, from the reference, times the range
 #define VIEW_OVERLAY 8u    // radiance, with the second image over it by its .w
+#define VIEW_X 9u          // .x times the range, in grey
 
 #define TONE_COMPRESS 0u // x / (1 + x), as in the project's pictures
 #define TONE_FILMIC 1u   // Narkowicz 2015

@@ -77,6 +77,7 @@ void App::frame()
 #endif
     const double seconds = secondsOfFrame();
     listen(seconds);
+    m_viewer->traceAllPixels(m_recorder.isCapturing());
     const bool isNew = m_viewer->advance(seconds);
     if (isScripted() && m_viewer->wasRefused()) throw ScriptError(m_viewer->message());
     m_picked.reset();

@@ -39,6 +39,7 @@ private:
     void runWindowing(const ScriptCommand& command);
     void hold(const std::string& name, bool isHeld);
     void printState() const;
+    void printTimes() const;
     void print(const std::string& what);
     bool isScripted() const { return !m_options.script.empty(); }
 

@@ -26,6 +26,7 @@ constexpr const char* kCameras[] = {"scene", "fly", "orbit"};
 constexpr const char* kTones[] = {"compress", "filmic", "clamp"};
 constexpr const char* kLobeNames[] = {"both", "probabilistic", "merged"};
 constexpr const char* kColors[] = {"off", "black", "white"};
+constexpr const char* kResolutions[] = {"off", "means", "sparse"};
 
 struct NamedKey
 {
@@ -177,6 +178,12 @@ void App::runTracing(const ScriptCommand& command)
     case Verb::Checkerboard:
         state.checkerboard = nrd::CheckerboardMode(indexOf(kColors, command.text, "checkerboard"));
         return;
+    case Verb::Half:
+    {
+        const uint32_t how = indexOf(kResolutions, command.text, "way to denoise at half resolution");
+        for (Side& side : state.sides) side.resolution = {how == 0 ? 1u : 2u, how == 2};
+        return;
+    }
     case Verb::Bounces:
         state.bounces = std::min(uint32_t(number), 64u);
         return;
@@ -259,6 +266,15 @@ void App::printState() const
     std::printf("\n");
 }
 
+void App::printTimes() const
+{
+    const auto show = [](const nrd::PassTime& pass)
+    { std::printf("time %8.3f ms %s\n", double(pass.milliseconds), pass.name); };
+    for (const nrd::PassTime& pass : m_viewer->renderer().tracingTimes()) show(pass);
+    const nrd::Timings timings = m_viewer->side(0).timings();
+    for (uint32_t i = 0; i < timings.passesNum; ++i) show(timings.passes[i]);
+}
+
 void App::print(const std::string& what)
 {
     if (what == "views")
@@ -271,6 +287,8 @@ void App::print(const std::string& what)
         std::printf("message '%s'\n", m_viewer->message().c_str());
     else if (what == "memory")
         std::printf("memory %.2f MiB\n", m_viewer->side(0).memoryMiB());
+    else if (what == "times")
+        printTimes();
     else if (what == "size")
         std::printf("size %u x %u of %u x %u\n", m_viewer->options().width, m_viewer->options().height,
                     m_screen.extent().width, m_screen.extent().height);
@@ -284,7 +302,7 @@ void App::print(const std::string& what)
                     double(p.historyLength[0].value_or(0.0f)), double(p.historyLength[1].value_or(0.0f)));
     }
     else
-        throw SettingError("print takes pixel, error, memory, size, views, state, start or message, not '" + what +
-                           "'");
+        throw SettingError("print takes pixel, error, memory, times, size, views, state, start or message, not '" +
+                           what + "'");
 }
 } // namespace sample

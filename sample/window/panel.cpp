@@ -21,6 +21,11 @@ void drawMessage(Viewer& viewer)
     if (ImGui::SmallButton("Understood")) viewer.setMessage("");
 }
 
+bool hasRange(uint32_t mode)
+{
+    return mode == VIEW_W || mode == VIEW_X || mode == VIEW_DEPTH || mode == VIEW_MOTION || mode == VIEW_DIFFERENCE;
+}
+
 void drawTime(ViewerState& state)
 {
     if (ImGui::Button(state.isPaused ? "Go on" : "Pause")) state.isPaused = !state.isPaused;
@@ -50,7 +55,7 @@ void drawViewPart(Viewer& viewer)
         int tone = int(state.tone);
         if (ImGui::Combo("tone mapping", &tone, kTones, int(std::size(kTones)))) state.tone = uint32_t(tone);
     }
-    if (mode != VIEW_LIGHT)
+    if (hasRange(mode))
         ImGui::SliderFloat("range", &state.range, 0.01f, 100.0f, "x %.2f", ImGuiSliderFlags_Logarithmic);
     ImGui::Checkbox("reference while the camera rests", &state.hasReference);
     int samples = int(state.referenceSamples);

@@ -18,6 +18,15 @@ bool choose(const char* label, const SampleDenoiser*& chosen, bool isOfShadow)
     return chosen != before;
 }
 
+constexpr const char* kResolutions[] = {"off", "means of all paths", "sparse tracing"};
+
+void chooseResolution(Resolution& resolution)
+{
+    int chosen = resolution.divisor == 1 ? 0 : resolution.isSparse ? 2 : 1;
+    if (!ImGui::Combo("half resolution", &chosen, kResolutions, int(std::size(kResolutions)))) return;
+    resolution = {chosen == 0 ? 1u : 2u, chosen == 2};
+}
+
 void drawSide(Viewer& viewer, size_t index, const char* name)
 {
     Side& side = viewer.state.sides[index];
@@ -25,6 +34,7 @@ void drawSide(Viewer& viewer, size_t index, const char* name)
     ImGui::TextDisabled("%s", name);
     choose("lobes", side.set.lobes, false);
     if (hasShadowLight(viewer.scene())) choose("shadow", side.set.shadow, true);
+    if (!side.set.isNone()) chooseResolution(side.resolution);
     ImGui::PopID();
 }
 } // namespace

@@ -13,23 +13,31 @@ namespace
 {
 constexpr double kMiB = 1024.0 * 1024.0;
 
+// As a share of all that is traced and denoised.
+void drawTime(const nrd::PassTime& pass, float total)
+{
+    char text[48];
+    std::snprintf(text, sizeof(text), "%.3f ms", double(pass.milliseconds));
+    const char* dash = std::strstr(pass.name, " - "); // the denoiser's name stands above already
+    ImGui::ProgressBar(pass.milliseconds / std::max(total, 1e-6f), ImVec2(150.0f, 0.0f), text);
+    ImGui::SameLine();
+    ImGui::TextUnformatted(dash ? dash + 3 : pass.name);
+}
+
 void drawTimes(Viewer& viewer)
 {
     const nrd::Timings timings = viewer.side(0).timings();
+    const std::vector<nrd::PassTime>& tracing = viewer.renderer().tracingTimes();
+    float total = timings.totalMilliseconds;
+    for (const nrd::PassTime& pass : tracing) total += pass.milliseconds;
+    for (const nrd::PassTime& pass : tracing) drawTime(pass, total);
     if (timings.passesNum == 0) return;
     char text[48];
     std::snprintf(text, sizeof(text), "%.3f ms of A", double(timings.totalMilliseconds));
     const std::vector<float>& times = viewer.frameTimes();
-    ImGui::PlotLines("##times", times.data(), int(times.size()), 0, text, 0.0f, FLT_MAX, ImVec2(-1.0f, 60.0f));
-    for (uint32_t i = 0; i < timings.passesNum; ++i)
-    {
-        const nrd::PassTime& pass = timings.passes[i];
-        std::snprintf(text, sizeof(text), "%.3f ms", double(pass.milliseconds));
-        const char* dash = std::strstr(pass.name, " - "); // the denoiser's name stands above already
-        ImGui::ProgressBar(pass.milliseconds / std::max(timings.totalMilliseconds, 1e-6f), ImVec2(150.0f, 0.0f), text);
-        ImGui::SameLine();
-        ImGui::TextUnformatted(dash ? dash + 3 : pass.name);
-    }
+    ImGui::PlotLines("##times", times.data(), int(times.size()), 0, text, 0.0f, FLT_MAX,
+                     ImVec2(ImGui::GetContentRegionAvail().x, 60.0f));
+    for (uint32_t i = 0; i < timings.passesNum; ++i) drawTime(timings.passes[i], total);
 }
 
 void drawMemory(Viewer& viewer)

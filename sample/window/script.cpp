@@ -21,6 +21,7 @@ constexpr VerbRow kVerbs[] = {
     {Verb::Split,        "split",        ArgumentKind::Number,  "X",         "where A ends and B begins, [0; 1]"},
     {Verb::Lobes,        "lobes",        ArgumentKind::Text,    "WHICH",     "as --lobes"},
     {Verb::Checkerboard, "checkerboard", ArgumentKind::Text,    "COLOR",     "as --checkerboard"},
+    {Verb::Half,         "half",         ArgumentKind::Text,    "HOW",       "off, means or sparse: at half resolution"},
     {Verb::Bounces,      "bounces",      ArgumentKind::Count,   "N",         "as --bounces"},
     {Verb::Psr,          "psr",          ArgumentKind::Switch,  "on|off",    "follow mirrors, as --psr"},
     {Verb::Taa,          "taa",          ArgumentKind::Switch,  "on|off",    "temporal anti-aliasing"},

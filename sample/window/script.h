@@ -29,6 +29,7 @@ enum class Verb : uint8_t
     Split,
     Lobes,
     Checkerboard,
+    Half,
     Bounces,
     Psr,
     Taa,

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace sample
 {
@@ -29,7 +30,8 @@ Viewer::Viewer(const engine::Device& device, Stage stage, const Options& options
 {
     settleDenoisers(m_options, m_stage.scene);
     m_untouchedEnvironment = m_stage.environment;
-    state.sides = {Side{m_options.sets[0], {}}, Side{m_options.sets.back(), {}}};
+    const Resolution resolution = std::exchange(m_options.resolution, {}); // each side has its own
+    state.sides = {Side{m_options.sets[0], {}, resolution}, Side{m_options.sets.back(), {}, resolution}};
     state.isCompared = m_options.sets.size() > 1;
     if (!state.isCompared) state.sides[1] = {parseDenoiserSets("NONE").front(), {}};
     for (const Assignment& assignment : m_options.settings) set(assignment);
@@ -76,7 +78,15 @@ Options Viewer::optionsOf(const Side& side) const
     Options options = m_options;
     options.sets = {side.set};
     options.settings = side.settings;
+    options.resolution = side.resolution;
     return options;
+}
+
+// Where the sides read different pixels, all are traced.
+uint32_t Viewer::stride() const
+{
+    const uint32_t stride = tracedStride(optionsOf(state.sides[0]));
+    return !state.isCompared || tracedStride(optionsOf(state.sides[1])) == stride ? stride : 1;
 }
 
 ReplaySettings Viewer::settingsOf(const Side& side, bool isDefault) const
@@ -102,7 +112,7 @@ std::vector<Assignment> Viewer::effectiveSettings(size_t index) const
 void Viewer::followSide(size_t index, bool isNew)
 {
     const std::vector<Assignment> settings = effectiveSettings(index);
-    const Side side = {state.sides[index].set, settings};
+    const Side side = {state.sides[index].set, settings, state.sides[index].resolution};
     const size_t place = index == 0 ? kSideA : kSideB;
     if (isNew)
     {
@@ -118,6 +128,23 @@ void Viewer::followSide(size_t index, bool isNew)
     if (index == 0) m_renderer->tracer().setHitDistanceParameters(hitDistanceParametersOf(settingsOf(side)));
 }
 
+// What is traced must suit the denoisers.
+void Viewer::followSamples(const Side& side)
+{
+    const auto change = [&](const std::string& why, Lobes lobes)
+    {
+        m_message = why;
+        state.lobes = lobes;
+        state.checkerboard = nrd::CheckerboardMode::OFF;
+    };
+    if (losesSpecular(side, state.lobes))
+        change("merged lobes leave no specular one to " + side.set.name() + ": tracing both", Lobes::Both);
+    if (side.resolution.stride() > 1 && state.lobes == Lobes::Probabilistic)
+        change("sparse tracing leaves out samples already: tracing both lobes", Lobes::Both);
+    if (side.resolution.divisor > 1 && state.checkerboard != nrd::CheckerboardMode::OFF)
+        change("half resolution leaves out samples already: tracing without a checkerboard", state.lobes);
+}
+
 void Viewer::followTracer()
 {
     for (Side& side : state.sides)
@@ -126,12 +153,7 @@ void Viewer::followTracer()
             m_message = "the scene has neither a sun nor a spot light whose shadow could be a signal of its own";
             side.set.shadow = nullptr;
         }
-    for (size_t i = 0; i < (state.isCompared ? 2u : 1u); ++i)
-        if (losesSpecular(state.sides[i], state.lobes))
-        {
-            m_message = "merged lobes leave no specular one to " + state.sides[i].set.name() + ": tracing both";
-            state.lobes = Lobes::Both;
-        }
+    for (size_t i = 0; i < (state.isCompared ? 2u : 1u); ++i) followSamples(state.sides[i]);
     if (state.lobes != Lobes::Both) state.checkerboard = nrd::CheckerboardMode::OFF; // one path per pixel already
     const bool hasShadow = state.sides[0].set.shadow || (state.isCompared && state.sides[1].set.shadow);
     const bool isOther = state.lobes != m_applied.lobes || state.checkerboard != m_applied.checkerboard ||
@@ -141,6 +163,7 @@ void Viewer::followTracer()
     if (isOther) build();
     m_options.hasJitter = state.hasJitter;
     m_renderer->tracer().setLimits(state.bounces, state.roughening);
+    m_renderer->tracer().setStride(stride());
     if (state.bounces != m_applied.bounces || state.roughening != m_applied.roughening) m_restingCamera.reset();
 }
 
@@ -164,7 +187,8 @@ void Viewer::followSides()
         if (!isWanted) continue;
         const DenoiserSet& now = state.sides[i].set;
         const DenoiserSet& before = m_applied.sides[i].set;
-        const bool isNew = !wasThere || now.name() != before.name();
+        const bool isNew =
+            !wasThere || now.name() != before.name() || !(state.sides[i].resolution == m_applied.sides[i].resolution);
         const bool isOther = wasThere && now.lobes->family != before.lobes->family; // other meanings, other ranges
         if (isNew)
             std::erase_if(state.sides[i].settings, [&](const Assignment& a)
@@ -304,14 +328,19 @@ std::vector<std::string> Viewer::arguments() const
     else
         all.push_back(std::filesystem::absolute(m_options.scene).string());
     if (!m_options.environment.empty()) add("--environment", std::filesystem::absolute(m_options.environment).string());
+    if (m_options.offset != 0.0f) add("--offset", number(double(m_options.offset)));
     if (m_options.sunRadius) add("--sun-radius", number(double(*m_options.sunRadius)));
     for (const Assignment& assignment : side.settings) add("--set", assignment.first + "=" + assignment.second);
     add("--lobes", kLobeNames[size_t(state.lobes)]);
     add("--checkerboard", kColors[size_t(state.checkerboard)]);
+    add("--divisor", std::to_string(side.resolution.divisor));
+    if (side.resolution.isSparse) all.emplace_back("--sparse");
     add("--bounces", std::to_string(state.bounces));
     add("--roughening", number(double(state.roughening)));
     add("--seed", std::to_string(m_options.seed));
     if (state.hasJitter) all.emplace_back("--jitter");
+    if (state.hasTemporalAa) all.emplace_back("--taa");
+    if (state.hasPsr) all.emplace_back("--psr");
     if (state.hasConfidence) all.emplace_back("--confidence");
     return all;
 }

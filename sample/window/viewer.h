@@ -44,6 +44,9 @@ public:
     /// The settings of a side as they are, defaults included; `isDefault`: as they would be without its own.
     ReplaySettings settingsOf(const Side& side, bool isDefault = false) const;
     void startCamera(CameraMode mode); // from where the camera is now
+    /// From the next frame on every pixel has paths, also where the denoisers read fewer: for captures.
+    void traceAllPixels(bool isWanted) { m_options.hasWholeSignals = isWanted; }
+    uint32_t stride() const; // pixels from one that has paths to the next
 
     PickedPixel readPicked();
     /// Of side A and B, decibels; nullopt without reference. Measured now and then.
@@ -80,6 +83,7 @@ public:
 private:
     static constexpr size_t kSideA = 0, kNoisy = 1, kSideB = 2; // stages of the renderer
     void build();
+    void followSamples(const Side& side);
     void followTracer();
     void followLights();
     void followSides();

@@ -11,10 +11,7 @@ struct Side
 {
     DenoiserSet set;
     std::vector<Assignment> settings; // those that differ from the defaults
-    bool operator==(const Side& other) const
-    {
-        return set.lobes == other.set.lobes && set.shadow == other.set.shadow && settings == other.settings;
-    }
+    Resolution resolution = {};
 };
 
 /// Replaces the assignment of that key, or adds it.

@@ -22,6 +22,7 @@ template <Image FrameImages::*Member> Image* tracedShadow(Viewer& viewer, size_t
     return viewer.hasShadowSignal() ? traced<Member>(viewer, side) : nullptr;
 }
 template <Lobe kLobe> Image* denoisedLobe(Viewer& viewer, size_t side) { return viewer.side(side).denoised(kLobe); }
+template <Lobe kLobe> Image* confidence(Viewer& viewer, size_t side) { return viewer.side(side).confidence(kLobe); }
 Image* denoised(Viewer& viewer, size_t side) { return &viewer.side(side).shown(); }
 Image* composed(Viewer& viewer, size_t side) { return &viewer.side(side).composed(); }
 Image* denoisedShadow(Viewer& viewer, size_t side) { return viewer.side(side).denoisedShadow(); }
@@ -51,6 +52,8 @@ constexpr ViewRow kViews[] = {
     {"denoised specular hit distance", VIEW_W,         1.0f,      denoisedLobe<Lobe::Specular>,              none},
     {"diffuse history length",       VIEW_W,          kPerFrame, denoisedLobe<Lobe::Diffuse>,               none, true},
     {"specular history length",      VIEW_W,          kPerFrame, denoisedLobe<Lobe::Specular>,              none, true},
+    {"diffuse confidence",           VIEW_X,          1.0f,      confidence<Lobe::Diffuse>,                 none},
+    {"specular confidence",          VIEW_X,          1.0f,      confidence<Lobe::Specular>,                none},
     {"denoised shadow",              VIEW_W,          1.0f,      denoisedShadow,                            none},
     {"denoised translucency",        VIEW_VALUE,      1.0f,      denoisedShadow,                            none},
     {"viewZ",                        VIEW_DEPTH,      0.3f,      traced<&FrameImages::viewZ>,               none},

@@ -27,15 +27,17 @@ void addLight(Scene& scene, const glm::vec3& position, const glm::vec3& intensit
     scene.nodes.push_back(node);
 }
 
-// Nothing moves, and no surface shines.
-Stage makeStage()
+// Nothing moves.
+Stage makeStage(const Room& room)
 {
     Stage stage;
     stage.scene = makeCornellBox();
     stage.scene.channels.clear();
     stage.scene.duration = 0.0f;
-    for (Material& material : stage.scene.materials) material.emission = glm::vec3(0.0f);
-    addLight(stage.scene, glm::vec3(-1.6f, 1.8f, 1.4f), glm::vec3(14.0f, 13.0f, 12.0f), 0.2f); // is switched off
+    for (Material& material : stage.scene.materials)
+        if (!room.hasLamp) material.emission = glm::vec3(0.0f);
+    const glm::vec3 intensity = room.strength * glm::vec3(14.0f, 13.0f, 12.0f);
+    addLight(stage.scene, glm::vec3(-1.6f, 1.8f, 1.4f), intensity, 0.2f); // is switched off
     addLight(stage.scene, glm::vec3(0.3f, 3.2f, 0.6f), glm::vec3(7.0f, 6.0f, 5.0f), 0.02f);
     return stage;
 }
@@ -58,6 +60,15 @@ std::optional<double> meanConfidence(DenoiseStage& stage, Lobe lobe)
     return sum / double(texels.size());
 }
 
+// Stages without confidence, with nothing in their history.
+void addStages(Renderer& renderer, const Stage& stage, Options options, size_t first)
+{
+    options.hasConfidence = false;
+    for (size_t i = 0; i < options.sets.size(); ++i)
+        renderer.setStage(first + i, std::make_unique<DenoiseStage>(
+                                         test::sampleDevice(), denoiseDesc(options, stage.scene, options.sets[i])));
+}
+
 // Both denoisers with confidence, then both without.
 std::unique_ptr<Renderer> makeRenderer(const Stage& stage, Options& options)
 {
@@ -67,12 +78,7 @@ std::unique_ptr<Renderer> makeRenderer(const Stage& stage, Options& options)
     options.hasConfidence = true;
     settleDenoisers(options, stage.scene);
     auto renderer = std::make_unique<Renderer>(test::sampleDevice(), stage, options);
-    Options without = options;
-    without.hasConfidence = false;
-    for (size_t i = 0; i < options.sets.size(); ++i)
-        renderer->setStage(
-            options.sets.size() + i,
-            std::make_unique<DenoiseStage>(test::sampleDevice(), denoiseDesc(without, stage.scene, options.sets[i])));
+    addStages(*renderer, stage, options, options.sets.size());
     return renderer;
 }
 
@@ -106,30 +112,31 @@ Frames measure(std::vector<Recorded>& recorded, const Picture& reference)
 }
 } // namespace
 
-std::vector<Comparison> runSwitchedLight()
+std::vector<Comparison> runSwitchedLight(const Room& room)
 {
-    Stage stage = makeStage();
+    Stage stage = makeStage(room);
     Options options;
     const std::unique_ptr<Renderer> renderer = makeRenderer(stage, options);
     const size_t count = options.sets.size();
-    std::vector<std::vector<Recorded>> recorded(2 * count);
+    std::vector<std::vector<Recorded>> recorded(3 * count);
     for (uint32_t frame = 0; frame < kSwitchFrame + kFramesAfter; ++frame)
     {
         if (frame == kSwitchFrame)
         {
             stage.scene.lights[0].intensity = glm::vec3(0.0f);
             renderer->refreshScene();
+            addStages(*renderer, stage, options, 2 * count);
         }
         renderer->renderFrame();
-        for (size_t i = 0; i < recorded.size(); ++i)
+        for (size_t i = 0; i < (frame < kSwitchFrame ? 2 : 3) * count; ++i)
             recorded[i].push_back(recordFrame(renderer->stage(i), frame >= kSwitchFrame));
     }
     const Picture reference =
         test::toPicture(composedOf(renderer->traceReference(renderer->readFrame(), kReferenceSamples, [](double) {})));
     std::vector<Comparison> comparisons;
     for (size_t i = 0; i < count; ++i)
-        comparisons.push_back(
-            {options.sets[i].lobes->name, measure(recorded[i], reference), measure(recorded[count + i], reference)});
+        comparisons.push_back({options.sets[i].lobes->name, measure(recorded[i], reference),
+                               measure(recorded[count + i], reference), measure(recorded[2 * count + i], reference)});
     CHECK(test::sampleDevice().validationMessageCount() == 0);
     return comparisons;
 }

@@ -1,5 +1,5 @@
-// A room under a lamp and a strong light that is switched off: what the sample shows frame by frame, held against a
-// reference of the room after the switch.
+// A room with a light that is switched off: what the sample shows frame by frame, held against a reference of the room
+// after the switch.
 #pragma once
 #include <cstdint>
 #include <optional>
@@ -22,8 +22,15 @@ struct Comparison
 {
     const char* denoiser = "";
     Frames with, without; // confidence
+    Frames restarted;     // from the switch on, without what was before it
+};
+
+struct Room
+{
+    bool hasLamp = false;  // the ceiling shines on, a noisy light
+    float strength = 1.0f; // of the light that goes off; 1 is most of all light, 0.1 less than a tenth where the lamp is
 };
 
 // On the same noise.
-std::vector<Comparison> runSwitchedLight();
+std::vector<Comparison> runSwitchedLight(const Room& room);
 } // namespace confidence

@@ -33,10 +33,10 @@ TEST_CASE("a comma separates what is compared", "[unit]")
     REQUIRE(sets.size() == 3);
     CHECK(sets[0].name() == "REBLUR_DIFFUSE_SPECULAR");
     CHECK(sets[1].name() == "RELAX_DIFFUSE");
-    CHECK(sets[1].families() == std::vector<Family>{Family::Relax});
+    CHECK(sets[1].families() == std::vector<Family>{Family::Relax, Family::Confidence});
     CHECK(sets[2].isNone());
     CHECK_FALSE(sets[2].composesLight());
-    CHECK(familiesOf(sets) == std::vector<Family>{Family::Reblur, Family::Relax, Family::None});
+    CHECK(familiesOf(sets) == std::vector<Family>{Family::Reblur, Family::Confidence, Family::Relax, Family::None});
 }
 
 TEST_CASE("what makes no sense as a list of denoisers is refused by name", "[unit]")

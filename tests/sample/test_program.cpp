@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <fstream>
 
+using sample::Channel;
 using test::Outcome;
 using test::readText;
 using test::run;
@@ -144,6 +145,28 @@ TEST_CASE("one lobe per pixel is denoised", "[program]")
         }
 }
 
+TEST_CASE("half and third resolution are denoised in every form of the signals, captured whole", "[program]")
+{
+    for (const char* option : {"--divisor 2", "--divisor 2 --sparse", "--divisor 3 --sparse --confidence"})
+        for (const char* denoiser :
+             {"REBLUR_DIFFUSE_SPECULAR_SH+SIGMA_SHADOW_TRANSLUCENCY", "RELAX_DIFFUSE_SPECULAR_SH+SIGMA_SHADOW",
+              "REBLUR_DIFFUSE_DIRECTIONAL_OCCLUSION", "REBLUR_DIFFUSE --lobes merged", "RELAX_SPECULAR,REFERENCE"})
+        {
+            const test::TemporaryFolder folder;
+            const std::string arguments = std::string(option) + " --denoiser " + denoiser;
+            const Outcome outcome = run("--headless --validation --scene panes --size 33x17 --frames 3 " + arguments +
+                                        " --capture " + (folder / "capture").string());
+            INFO(arguments << ": " << outcome.errors);
+            REQUIRE(outcome.exitCode == 0);
+            const sample::Planes planes = sample::Capture::open(folder / "capture").readFrame(2);
+            size_t withoutPath = 0;
+            for (size_t i = 0; i < planes.pixelCount(); ++i)
+                withoutPath += planes[Channel::ViewZ][i] > -1000.0f && planes[Channel::DiffuseHitDist][i] == 0.0f &&
+                               planes[Channel::SpecularHitDist][i] == 0.0f;
+            CHECK(withoutPath == 0);
+        }
+}
+
 TEST_CASE("resolved SH brings normal-mapped relief back", "[program]")
 {
     // Of the denoised picture against its reference.
@@ -217,6 +240,10 @@ TEST_CASE("bad arguments and broken files end in one sentence and exit code 1", 
     checkRefused(run("--headless --lobes one"), "probabilistic");
     checkRefused(run("--headless --checkerboard red"), "white");
     checkRefused(run("--headless --checkerboard black --lobes probabilistic"), "--checkerboard");
+    checkRefused(run("--headless --divisor 2 --checkerboard black"), "--checkerboard");
+    checkRefused(run("--headless --divisor 2 --sparse --lobes probabilistic"), "probabilistic");
+    checkRefused(run("--headless --divisor 2 --denoiser REFERENCE"), "REBLUR");
+    checkRefused(run("--headless --sparse"), "--divisor");
     checkRefused(run("--headless --scene rome"), "bumps");
     checkRefused(run("--headless --scene bumps " + triangle), "--scene");
     checkRefused(run("--headless --set maxBlurRadius"), "key=value");

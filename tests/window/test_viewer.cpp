@@ -95,12 +95,14 @@ TEST_CASE("all settings of the panel can be walked through while frames are rend
     Viewer viewer = makeViewer("panes", "REBLUR_SPECULAR+SIGMA_SHADOW");
     viewer.state.animationSpeed = 0.0f;
     size_t count = walkSettings(viewer);
+    viewer.state.hasConfidence = true;
+    viewer.state.sides[0].resolution = {2, true};
     for (const char* name : {"RELAX_DIFFUSE+SIGMA_SHADOW", "REFERENCE+SIGMA_SHADOW"})
     {
         viewer.setDenoisers(name);
         count += walkSettings(viewer);
     }
-    CHECK(count > 180);
+    CHECK(count > 200);
     CHECK(test::sampleDevice().validationMessageCount() == 0);
 }
 
@@ -123,7 +125,7 @@ TEST_CASE("a pair of settings that bound each other is refused and undone", "[gp
 TEST_CASE("every view of every kind of denoiser is drawn", "[gpu]")
 {
     Viewer viewer = makeViewer("panes", "REBLUR_DIFFUSE_SPECULAR+SIGMA_SHADOW_TRANSLUCENCY");
-    viewer.state.hasReference = true;
+    viewer.state.hasReference = viewer.state.hasConfidence = true;
     viewer.state.animationSpeed = 0.0f;
     std::set<std::string> pictures;
     for (size_t i = 0; i < views().size(); ++i)
@@ -134,7 +136,7 @@ TEST_CASE("every view of every kind of denoiser is drawn", "[gpu]")
         CHECK(viewer.viewedImage());
         pictures.insert(show(viewer));
     }
-    CHECK(pictures.size() > views().size() - 4); // hardly two look the same
+    CHECK(pictures.size() > views().size() - 5); // hardly two look the same
     viewer.setDenoisers("RELAX_DIFFUSE,SIGMA_SHADOW");
     viewer.advance(kFrame);
     for (size_t i = 0; i < views().size(); ++i)
@@ -167,6 +169,118 @@ TEST_CASE("left of the split is A, right of it B", "[gpu]")
                 isRight &= both[i] == (x < 16 ? denoised[i] : noisy[i]);
             }
     CHECK(isRight);
+}
+
+namespace
+{
+constexpr const char* kPanes = "REBLUR_DIFFUSE_SPECULAR+SIGMA_SHADOW";
+
+Viewer makeHalf(const char* denoisers, const Resolution& resolution)
+{
+    Options options = optionsFor("panes", denoisers);
+    options.resolution = resolution;
+    return Viewer(test::sampleDevice(), loadStage(options), options, 2);
+}
+
+std::string showFrames(Viewer& viewer, int count)
+{
+    viewer.state.animationSpeed = 0.0f;
+    for (int k = 0; k < count; ++k) REQUIRE(viewer.advance(kFrame));
+    CHECK_FALSE(viewer.wasRefused());
+    return show(viewer);
+}
+
+// Of the specular signal, which every surface has: pixels with a path in every second column of every second row, and
+// the others.
+std::array<int, 2> tracedPixels(Viewer& viewer)
+{
+    const auto texels = engine::readBackAs<float>(test::sampleDevice(), viewer.renderer().tracer().images().specular);
+    std::array<int, 2> counts = {};
+    for (size_t i = 0; i < texels.size() / 4; ++i)
+        counts[(i % 32) % 2 + (i / 32) % 2 > 0] += texels[i * 4 + 3] > 0.0f; // the hit distance
+    return counts;
+}
+} // namespace
+
+TEST_CASE("sparse tracing has paths in a quarter of the pixels, and the same picture as if all had them", "[gpu]")
+{
+    Viewer full = makeHalf(kPanes, {}), sparse = makeHalf(kPanes, {2, true}), whole = makeHalf(kPanes, {2, true});
+    whole.traceAllPixels(true);
+    const std::string picture = showFrames(sparse, 4);
+    CHECK(showFrames(whole, 4) == picture);
+    CHECK(showFrames(full, 4) != picture);
+    CHECK(sparse.stride() == 2);
+    CHECK(whole.stride() == 1);
+    CHECK(tracedPixels(full) == std::array{16 * 10, 48 * 10});
+    CHECK(tracedPixels(sparse) == std::array{16 * 10, 0});
+    CHECK(tracedPixels(whole) == std::array{16 * 10, 48 * 10});
+    CHECK(test::sampleDevice().validationMessageCount() == 0);
+}
+
+TEST_CASE("half resolution is switched while frames are rendered, for each side alone", "[gpu]")
+{
+    Viewer viewer = makeHalf("REBLUR_DIFFUSE_SPECULAR+SIGMA_SHADOW,RELAX_DIFFUSE_SPECULAR+SIGMA_SHADOW", {});
+    viewer.state.hasConfidence = viewer.state.hasReference = true;
+    viewer.state.split = 1.0f;
+    std::set<std::string> pictures;
+    for (const Resolution& resolution : {Resolution(), Resolution{2, false}, Resolution{2, true}})
+    {
+        viewer.state.sides[0].resolution = resolution;
+        viewer.state.isRestarted = true;
+        pictures.insert(showFrames(viewer, 3));
+        CHECK(viewer.stride() == 1); // B reads them all
+    }
+    CHECK(pictures.size() == 3);
+    viewer.state.sides[1].resolution = viewer.state.sides[0].resolution;
+    viewer.state.picked = glm::ivec2(17, 11); // between those that have paths
+    showFrames(viewer, 12);
+    CHECK(viewer.stride() == 2);
+    CHECK(viewer.readPicked().historyLength[0].value_or(0.0f) > 8.0f);
+    CHECK(viewer.reference().sampleCount() > 8);
+    viewer.state.lobes = Lobes::Probabilistic;
+    showFrames(viewer, 1);
+    CHECK(viewer.state.lobes == Lobes::Both);
+    CHECK_THAT(viewer.message(), containing("sparse tracing leaves out"));
+    viewer.state.checkerboard = nrd::CheckerboardMode::WHITE;
+    showFrames(viewer, 1);
+    CHECK(viewer.state.checkerboard == nrd::CheckerboardMode::OFF);
+    CHECK_THAT(viewer.message(), containing("without a checkerboard"));
+    CHECK(test::sampleDevice().validationMessageCount() == 0);
+}
+
+TEST_CASE("tracing and denoising are timed pass by pass", "[gpu]")
+{
+    Viewer viewer = makeViewer("cornell", "REBLUR_DIFFUSE");
+    viewer.state.hasConfidence = true;
+    for (int k = 0; k < 5; ++k) viewer.advance(kFrame);
+    const std::vector<nrd::PassTime>& times = viewer.renderer().tracingTimes();
+    REQUIRE(times.size() == 2);
+    CHECK(std::string(times[0].name) == "re-traced samples");
+    CHECK(std::string(times[1].name) == "paths");
+    CHECK(times[1].milliseconds > times[0].milliseconds); // one path in 25
+    CHECK(viewer.side(0).timings().passesNum > 5);
+    viewer.state.hasConfidence = false;
+    for (int k = 0; k < 5; ++k) viewer.advance(kFrame);
+    CHECK(viewer.renderer().tracingTimes().size() == 1);
+}
+
+TEST_CASE("settings of the history confidence reach it", "[gpu]")
+{
+    Viewer viewer = makeViewer("panes", "REBLUR_DIFFUSE_SPECULAR"); // one sphere moves
+    viewer.state.hasConfidence = true;
+    const auto meanOf = [&](const char* sensitivity)
+    {
+        viewer.set({"confidence.sensitivity", sensitivity});
+        viewer.set({"confidence.tolerance", "0"});
+        for (int k = 0; k < 3; ++k) viewer.advance(kFrame);
+        double sum = 0.0;
+        for (uint8_t x : engine::readBackAs<uint8_t>(test::sampleDevice(), *viewer.side(0).confidence(Lobe::Diffuse)))
+            sum += double(x);
+        return sum;
+    };
+    const double trusting = meanOf("0.01");
+    CHECK(meanOf("100") < 0.98 * trusting);
+    CHECK_THROWS_WITH(viewer.set({"confidence.sensitivity", "101"}), containing("(0; 100]"));
 }
 
 TEST_CASE("a reference gathers while the camera rests and starts anew when it moves", "[gpu]")
