@@ -66,14 +66,17 @@ with_pkgconfig() { # PREFIX
     "$folder/consumer-static" "$version"
 }
 
-# The examples, with the pictures of those in the build folder where they are.
+# The examples; their pictures are those of the build folder's, which the tests hold against NrdIntegration's.
 examples() { # FOLDER PREFIX
-    "$1/native_handles"
+    "$1/native_handles" "$work/native_handles.raw"
+    "$build/bin/nrd-example-native-handles" "$work/expected_native_handles.raw"
+    cmp "$work/native_handles.raw" "$work/expected_native_handles.raw"
+    "$build/bin/nrd-example-own-rhi" "$work/expected.raw"
     "$1/own_rhi" "$work/own_rhi.raw"
     "$1/white_box" "$2/share/nrd/shaders" "$work/white_box.raw"
-    cmp "$work/own_rhi.raw" "$work/white_box.raw"
-    "$build/bin/nrd-example-own-rhi" "$work/expected.raw" # held against NrdIntegration's by the tests
-    cmp "$work/own_rhi.raw" "$work/expected.raw"
+    "$1/plugin_events" "$work/plugin_events.raw"
+    local way
+    for way in own_rhi white_box plugin_events; do cmp "$work/$way.raw" "$work/expected.raw"; done
 }
 
 # No shader compiler: what finds none must not need one.
@@ -124,7 +127,8 @@ tar_up() {
     test -d "$work/source/spirv/nrd_shaders"
 }
 
-cmake --build "$build" -j "$jobs" --target nrd_package nrd-example-own-rhi > /dev/null
+cmake --build "$build" -j "$jobs" --target nrd_package nrd-example-native-handles \
+    nrd-example-own-rhi > /dev/null
 rm -rf "$work"
 mkdir -p "$work"
 version=$(sed -n 's/^CMAKE_PROJECT_VERSION:STATIC=//p' "$build/CMakeCache.txt")

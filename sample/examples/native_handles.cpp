@@ -4,6 +4,7 @@
 #include "engine/transfer.h"
 #include <cmath>
 #include <cstdio>
+#include <fstream>
 #include <nrd/integration.h>
 #include <random>
 
@@ -113,7 +114,7 @@ void denoise(nrd::NrdIntegration& nrd, VkCommandBuffer cmd, std::vector<Slot>& s
 }
 } // namespace
 
-int main()
+int main(int argc, char** argv) // PICTURE, to keep the last one
 try
 {
     engine::DeviceDesc deviceDesc;
@@ -139,7 +140,10 @@ try
         ring.submit();
     }
     ring.waitAll();
-    const double before = deviation(noise(0)), after = deviation(engine::readBackAs<float>(device, slots[5].image));
+    const std::vector<float> picture = engine::readBackAs<float>(device, slots[5].image);
+    const std::span bytes = std::as_bytes(std::span(picture));
+    if (argc > 1) std::ofstream(argv[1]).write(reinterpret_cast<const char*>(bytes.data()), std::ssize(bytes));
+    const double before = deviation(noise(0)), after = deviation(picture);
     std::printf("standard deviation of the noisy input %.3f, denoised %.3f\n", before, after);
     return after < 0.1 * before ? 0 : 1;
 }

@@ -117,6 +117,11 @@ std::string installedShaders()
 
 TEST_CASE("an application's own RHI gives NrdIntegration's picture", "[program]") { requireExpected(run(NRD_OWN_RHI)); }
 
+TEST_CASE("the plug-in driven by events gives NrdIntegration's picture", "[program]")
+{
+    requireExpected(run(NRD_PLUGIN_EVENTS));
+}
+
 TEST_CASE("shaders compiled at run time are the library's, and so is their picture", "[program]")
 {
     requireExpected(run(std::string(NRD_WHITE_BOX) + " " + installedShaders()));

@@ -1,5 +1,6 @@
 // NrdIntegration: every public call in any order over a device that records what reaches it and fails now and then,
 // with arbitrary native handles, creation descs, user pools, identifiers and sizes.
+#include "arbitrary_instance.h"
 #include "arbitrary_integration.h"
 #include "arbitrary_settings.h"
 #include "fake_images.h"
@@ -12,11 +13,10 @@
 namespace
 {
 using fuzz::ByteReader;
+using fuzz::kIdentifierNum;
 using fuzz::require;
 using namespace nrd;
 
-constexpr uint32_t kMaxDenoiserNum = 4;
-constexpr uint32_t kIdentifierNum = 6; // more than denoisers: some belong to none
 // Where a diagnosis may be recorded: its read-back memory is real.
 constexpr uint32_t kMaxDiagnosedSize = 64;
 
@@ -44,7 +44,6 @@ private:
     void observe();
     void recordDiagnosis();
 
-    InstanceCreationDesc arbitraryInstanceDesc();
     void fillPool(NrdUserPool& pool, const Identifier* identifiers, uint32_t identifierNum);
     CommonSettings nextFrame();
     void check(Result result);
@@ -52,8 +51,7 @@ private:
     ByteReader& m_reader;
     std::unique_ptr<rhi::RecordingDevice> m_device = rhi::makeRecordingDevice();
     NrdIntegration m_integration; // goes before the device
-    DenoiserDesc m_denoisers[kMaxDenoiserNum];
-    uint32_t m_denoiserNum = 0;
+    fuzz::ArbitraryInstance m_instance;
     uint32_t m_width = 0, m_height = 0;
     uint32_t m_lastWidth = 0, m_lastHeight = 0; // of the last frame, 0: there was none
     uint32_t m_frameIndex = 0;                  // of the last frame
@@ -79,34 +77,6 @@ void Calls::check(Result result)
     m_device->clearCalls();
 }
 
-InstanceCreationDesc Calls::arbitraryInstanceDesc()
-{
-    InstanceCreationDesc desc;
-    const bool isWild = m_reader.below(8) == 0;
-    m_denoiserNum = m_reader.below(kMaxDenoiserNum + 1);
-    for (uint32_t i = 0; i < m_denoiserNum; i++)
-    {
-        DenoiserDesc& denoiser = m_denoisers[i];
-        denoiser.identifier = isWild ? m_reader.below(kIdentifierNum) : i;
-        denoiser.denoiser = isWild ? m_reader.value<Denoiser>()
-                                   : static_cast<Denoiser>(m_reader.below(static_cast<uint32_t>(Denoiser::MAX_NUM)));
-        denoiser.resolutionDivisor = isWild ? m_reader.value<uint32_t>() : 1 + m_reader.below(16) / 14;
-        denoiser.hasHistory = !isWild || m_reader.flag();
-    }
-    desc.denoisersNum = m_denoiserNum;
-    desc.denoisers = isWild && m_reader.flag() ? nullptr : m_denoisers;
-    if (isWild && m_reader.flag()) desc.headerVersion = m_reader.value<uint32_t>();
-    desc.normalEncoding = static_cast<NormalEncoding>(isWild ? m_reader.value<uint32_t>() : m_reader.below(5));
-    desc.roughnessEncoding = static_cast<RoughnessEncoding>(isWild ? m_reader.value<uint32_t>() : m_reader.below(3));
-    desc.messageSink.userArg = &m_reportNum;
-    desc.messageSink.report = [](void* userArg, Result result, const char* text)
-    {
-        require(result != Result::SUCCESS && text && *text, "a report is a sentence about a refusal");
-        ++*static_cast<uint32_t*>(userArg);
-    };
-    return desc;
-}
-
 void Calls::create()
 {
     if (m_reader.below(8) != 0) m_integration.Destroy();
@@ -117,9 +87,9 @@ void Calls::create()
         return;
     }
     const IntegrationCreationDesc desc = fuzz::arbitraryDesc(m_reader, kMaxDiagnosedSize);
-    const InstanceCreationDesc instanceDesc = arbitraryInstanceDesc();
+    fuzz::makeArbitrary(m_instance, m_reader, m_reportNum);
     if (m_reader.below(8) == 0) m_device->failCreation(1 + m_reader.below(32));
-    const Result result = IntegrationAccess::Create(m_integration, *m_device, desc, instanceDesc);
+    const Result result = IntegrationAccess::Create(m_integration, *m_device, desc, m_instance.desc);
     require((result == Result::SUCCESS) == m_integration.IsCreated(), "created means created");
     require(m_integration.IsCreated() || m_device->objectCount() == 0, "a refused creation leaves nothing");
     m_width = desc.resourceWidth;
@@ -200,7 +170,7 @@ void Calls::setCommon()
 
 void Calls::setDenoiser()
 {
-    const Identifier identifier = m_reader.below(kIdentifierNum);
+    const Identifier identifier = fuzz::arbitraryIdentifier(m_reader);
     const auto family = static_cast<sample::Family>(1 + m_reader.below(4));
     if (m_reader.below(4) == 0) m_settings = {m_settings.common, {}, {}, {}, {}};
     fuzz::changeSettings(m_settings, family, m_reader);
@@ -212,17 +182,13 @@ void Calls::setDenoiser()
 void Calls::fillPool(NrdUserPool& pool, const Identifier* identifiers, uint32_t identifierNum)
 {
     for (uint32_t i = 0; i < identifierNum; i++)
-        for (uint32_t d = 0; d < m_denoiserNum; d++)
-            if (m_denoisers[d].identifier == identifiers[i])
-                test::fillSlots(m_integration, identifiers[i],
-                                test::dividedSize(m_width, m_denoisers[d].resolutionDivisor),
-                                test::dividedSize(m_height, m_denoisers[d].resolutionDivisor), pool);
+        test::fillSlots(m_integration, identifiers[i], m_width, m_height, pool);
 }
 
 void Calls::denoise()
 {
     Identifier identifiers[kIdentifierNum];
-    for (Identifier& identifier : identifiers) identifier = m_reader.below(kIdentifierNum);
+    for (Identifier& identifier : identifiers) identifier = fuzz::arbitraryIdentifier(m_reader);
     const uint32_t identifierNum = m_reader.below(4) != 0 ? m_reader.below(2) : m_reader.below(kIdentifierNum + 1);
     NrdUserPool pool;
     if (m_integration.IsCreated()) fillPool(pool, identifiers, identifierNum);
@@ -261,10 +227,11 @@ void Calls::denoise()
 
 void Calls::recordDiagnosis()
 {
-    Identifier all[kMaxDenoiserNum];
-    for (uint32_t i = 0; i < m_denoiserNum; i++) all[i] = m_denoisers[i].identifier;
+    const uint32_t denoiserNum = m_instance.desc.denoisersNum;
+    Identifier all[fuzz::kMaxDenoiserNum];
+    for (uint32_t i = 0; i < denoiserNum; i++) all[i] = m_instance.denoisers[i].identifier;
     NrdUserPool pool;
-    if (m_integration.IsCreated()) fillPool(pool, all, m_denoiserNum);
+    if (m_integration.IsCreated()) fillPool(pool, all, denoiserNum);
     if (m_reader.below(4) == 0) fuzz::damagePool(m_reader, pool);
     NrdDiagnosisImages images;
     images.diffuseFactor = images.specularDirection = pool[ResourceType::IN_MV];
@@ -331,11 +298,14 @@ void Calls::callSomething()
 void Calls::expectUsable()
 {
     if (!m_integration.IsCreated()) return;
-    for (uint32_t i = 0; i < m_denoiserNum; i++) // a frame each: one call a frame is what every desc allows
+    // The pools of denoisers at a fraction of the resolution may fit the device, but no image of the full one does.
+    if (std::max(m_width, m_height) > m_device->limits().maxTextureSize) return;
+    for (uint32_t i = 0; i < m_instance.desc.denoisersNum;
+         i++) // a frame each: one call a frame is what every desc allows
     {
         check(m_integration.NewFrame());
         check(m_integration.SetCommonSettings(nextFrame()));
-        const Identifier identifier = m_denoisers[i].identifier;
+        const Identifier identifier = m_instance.denoisers[i].identifier;
         NrdUserPool pool;
         fillPool(pool, &identifier, 1);
         const Result result = m_integration.Denoise(commandBufferOf(1), &identifier, 1, pool);

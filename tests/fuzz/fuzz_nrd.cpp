@@ -1,4 +1,5 @@
 // Every public call of the library in any order, with arbitrary values in every field and null wherever it is allowed.
+#include "arbitrary_instance.h"
 #include "arbitrary_settings.h"
 #include "dispatch_promises.h"
 #include "fuzz.h"
@@ -7,11 +8,9 @@
 namespace
 {
 using fuzz::ByteReader;
+using fuzz::kIdentifierNum;
 using fuzz::require;
 using namespace nrd;
-
-constexpr uint32_t kMaxDenoiserNum = 6;
-constexpr uint32_t kIdentifierNum = 8; // more than denoisers: some belong to none
 
 class Calls
 {
@@ -51,30 +50,9 @@ void Calls::check(Result result, bool isRefusalExplained)
 void Calls::create()
 {
     DestroyInstance(m_instance);
-    DenoiserDesc denoisers[kMaxDenoiserNum];
-    InstanceCreationDesc desc;
-    desc.denoisersNum = m_reader.below(kMaxDenoiserNum + 1);
-    const bool isWild = m_reader.below(8) == 0;
-    for (uint32_t i = 0; i < desc.denoisersNum; i++)
-    {
-        denoisers[i].identifier = isWild ? m_reader.below(kIdentifierNum) : i;
-        denoisers[i].denoiser = isWild
-                                    ? m_reader.value<Denoiser>()
-                                    : static_cast<Denoiser>(m_reader.below(static_cast<uint32_t>(Denoiser::MAX_NUM)));
-        denoisers[i].resolutionDivisor = isWild ? m_reader.value<uint32_t>() : 1 + m_reader.below(8);
-        if (isWild) denoisers[i].hasHistory = m_reader.flag();
-    }
-    desc.denoisers = isWild && m_reader.flag() ? nullptr : denoisers;
-    if (isWild && m_reader.flag()) desc.headerVersion = m_reader.value<uint32_t>();
-    desc.normalEncoding = static_cast<NormalEncoding>(isWild ? m_reader.value<uint32_t>() : m_reader.below(5));
-    desc.roughnessEncoding = static_cast<RoughnessEncoding>(isWild ? m_reader.value<uint32_t>() : m_reader.below(3));
-    desc.messageSink.userArg = &m_reportNum;
-    desc.messageSink.report = [](void* userArg, Result result, const char* text)
-    {
-        require(result != Result::SUCCESS && text && *text, "a report is a sentence about a refusal");
-        ++*static_cast<uint32_t*>(userArg);
-    };
-    const Result result = CreateInstance(desc, m_instance);
+    fuzz::ArbitraryInstance arbitrary;
+    fuzz::makeArbitrary(arbitrary, m_reader, m_reportNum);
+    const Result result = CreateInstance(arbitrary.desc, m_instance);
     require((result == Result::SUCCESS) == (m_instance != nullptr), "an instance comes with success only");
     check(result);
 }
@@ -88,7 +66,7 @@ void Calls::setCommon()
 
 void Calls::setDenoiser()
 {
-    const Identifier identifier = m_reader.below(kIdentifierNum);
+    const Identifier identifier = fuzz::arbitraryIdentifier(m_reader);
     const auto family = static_cast<sample::Family>(1 + m_reader.below(4));
     if (m_reader.below(4) == 0) m_settings = {m_settings.common, {}, {}, {}, {}};
     fuzz::changeSettings(m_settings, family, m_reader);
@@ -100,7 +78,7 @@ void Calls::setDenoiser()
 void Calls::dispatch()
 {
     Identifier identifiers[kIdentifierNum];
-    for (Identifier& identifier : identifiers) identifier = m_reader.below(kIdentifierNum);
+    for (Identifier& identifier : identifiers) identifier = fuzz::arbitraryIdentifier(m_reader);
     // Long lists nearly always name a stranger or repeat one; short ones get through.
     const uint32_t identifierNum = m_reader.flag() ? m_reader.below(2) : m_reader.below(kIdentifierNum + 1);
     const DispatchDesc* dispatches = nullptr;
@@ -136,7 +114,7 @@ void Calls::callSomething()
     else if (call < 14)
         dispatch();
     else
-        getRequirements(m_reader.below(kIdentifierNum));
+        getRequirements(fuzz::arbitraryIdentifier(m_reader));
 }
 
 void Calls::expectUsable()

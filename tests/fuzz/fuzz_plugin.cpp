@@ -1,9 +1,9 @@
 // Every function of the plug-in's C interface in any order over recording devices, with arbitrary structs, numbers and
 // null wherever a pointer is taken.
-#include <cstring>
 #include "fuzz.h"
 #include "integration_access.h"
 #include "plugin_access.h"
+#include <cstring>
 
 #include <deque>
 #include <nrd/plugin.h>
@@ -26,9 +26,9 @@ NrdPluginDevice goodDevice()
     return result;
 }
 
-NrdPluginImage goodImage(uint32_t number)
+NrdPluginImage goodImage(uint32_t number, uint32_t width = kSize)
 {
-    return {reinterpret_cast<VkImage>(uintptr_t(1 + number)), VK_FORMAT_R32G32B32A32_SFLOAT, kSize, kSize,
+    return {reinterpret_cast<VkImage>(uintptr_t(1 + number)), VK_FORMAT_R32G32B32A32_SFLOAT, width, kSize,
             VK_IMAGE_LAYOUT_GENERAL};
 }
 
@@ -143,7 +143,8 @@ void Calls::initialize()
     uint32_t imageNum = 0;
     check(NrdPluginGetImageNum(index, &imageNum));
     std::vector<NrdPluginImage> images;
-    for (uint32_t i = 0; i < imageNum; i++) images.push_back(goodImage(i));
+    const uint32_t width = kSize * (1 + m_reader.below(2));
+    for (uint32_t i = 0; i < imageNum; i++) images.push_back(goodImage(i, width));
     for (uint32_t changes = m_reader.below(3); changes > 0 && imageNum > 0; changes--)
     {
         NrdPluginImage& image = images[m_reader.below(imageNum)];

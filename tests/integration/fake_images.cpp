@@ -18,8 +18,9 @@ void fillSlots(const nrd::NrdIntegration& integration, nrd::Identifier identifie
         image = {};
         image.image = reinterpret_cast<VkImage>(kFirstHandle + static_cast<uintptr_t>(needs[i].type));
         image.format = rhi::toVulkan(nrd::toRhi(needs[i].minFormat));
-        image.width = width;
-        image.height = height;
+        const uint32_t divisor = needs[i].sizeDivisor;
+        image.width = (width + divisor - 1) / divisor;
+        image.height = (height + divisor - 1) / divisor;
     }
 }
 } // namespace test

@@ -5,10 +5,7 @@
 namespace test
 {
 /// Every slot that the denoiser reads or writes under its present settings, the optional ones too, in the state of a
-/// new image. The size is that of the denoiser's images.
+/// new image. The size is the resource size.
 void fillSlots(const nrd::NrdIntegration& integration, nrd::Identifier identifier, uint32_t width, uint32_t height,
                nrd::NrdUserPool& pool);
-
-/// ceil(size / divisor)
-inline uint32_t dividedSize(uint32_t size, uint32_t divisor) { return (size + divisor - 1) / divisor; }
 } // namespace test

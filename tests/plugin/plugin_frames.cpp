@@ -43,7 +43,7 @@ NrdPluginFrame pluginFrame(uint32_t frame)
     return result;
 }
 
-DirectFrame directFrame(uint32_t frame)
+DirectFrame directFrame(uint32_t frame, Size size, Size before)
 {
     const uint32_t previous = frame == 0 ? 0 : frame - 1;
     DirectFrame result;
@@ -54,11 +54,9 @@ DirectFrame directFrame(uint32_t frame)
     setView(common.worldToViewMatrixPrev, previous);
     setJitter(common.cameraJitter, frame);
     setJitter(common.cameraJitterPrev, previous);
-    for (uint16_t* size : {common.resourceSize, common.resourceSizePrev, common.rectSize, common.rectSizePrev})
-    {
-        size[0] = kWidth;
-        size[1] = kHeight;
-    }
+    for (uint16_t* now : {common.resourceSize, common.rectSize}) now[0] = size.width, now[1] = size.height;
+    for (uint16_t* prev : {common.resourceSizePrev, common.rectSizePrev})
+        prev[0] = before.width, prev[1] = before.height;
     common.timeDeltaBetweenFrames = (0.016f + 0.001f * static_cast<float>(frame)) * 1000.0f;
     common.frameIndex = kFirstFrame + frame;
     if (frame == 0) common.accumulationMode = nrd::AccumulationMode::RESTART;
@@ -119,7 +117,9 @@ nrd::Result denoise(nrd::NrdIntegration& integration, nrd::Denoiser denoiser, co
     const nrd::Identifier identifier = 0;
     nrd::DenoiseOptions options;
     options.restoreInitialStates = true;
+    const uint16_t(&size)[2] = frame.common.resourceSize;
     nrd::Result result = integration.NewFrame();
+    if (result == nrd::Result::SUCCESS) result = integration.Resize(size[0], size[1]);
     if (result == nrd::Result::SUCCESS) result = integration.SetCommonSettings(frame.common);
     if (result == nrd::Result::SUCCESS && isSigma) result = integration.SetDenoiserSettings(identifier, frame.sigma);
     if (result == nrd::Result::SUCCESS) result = integration.Denoise(commandBuffer, &identifier, 1, pool, options);

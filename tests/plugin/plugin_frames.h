@@ -12,6 +12,12 @@ constexpr float kDepth = 5.0f;      // of the wall in front of the camera
 constexpr float kStep = 0.05f;      // units the camera moves to the right with each frame
 constexpr uint32_t kFirstFrame = 7; // frame indices of an engine that runs already
 
+struct Size // pixels
+{
+    uint16_t width = kWidth;
+    uint16_t height = kHeight;
+};
+
 NrdPluginFrame pluginFrame(uint32_t frame);
 
 struct DirectFrame
@@ -19,7 +25,8 @@ struct DirectFrame
     nrd::CommonSettings common;
     nrd::SigmaSettings sigma;
 };
-DirectFrame directFrame(uint32_t frame); // written out, previous frame included
+/// Written out, previous frame included; images had the size `before` in that one.
+DirectFrame directFrame(uint32_t frame, Size size = {}, Size before = {});
 
 nrd::InstanceCreationDesc instanceDesc(const nrd::DenoiserDesc& denoiser);
 nrd::IntegrationCreationDesc integrationDesc(nrd::Denoiser denoiser);
@@ -27,7 +34,7 @@ nrd::IntegrationCreationDesc integrationDesc(nrd::Denoiser denoiser);
 /// The array of NrdPluginInitialize() as NrdIntegration takes it.
 nrd::NrdUserPool userPool(nrd::Denoiser denoiser, const std::vector<NrdPluginImage>& images);
 
-/// NewFrame() to Denoise().
+/// NewFrame() to Denoise(), with a Resize() to the size that the frame has.
 nrd::Result denoise(nrd::NrdIntegration& integration, nrd::Denoiser denoiser, const DirectFrame& frame,
                     VkCommandBuffer commandBuffer, nrd::NrdUserPool& pool);
 } // namespace test

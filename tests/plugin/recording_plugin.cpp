@@ -1,7 +1,6 @@
 #include "recording_plugin.h"
 #include "integration_access.h"
 #include "plugin_access.h"
-#include "plugin_frames.h"
 #include <sstream>
 
 namespace test
@@ -65,18 +64,18 @@ NrdPluginDevice RecordingPlugin::deviceDesc()
     return result;
 }
 
-NrdPluginImage RecordingPlugin::image(uintptr_t number)
+NrdPluginImage RecordingPlugin::image(uintptr_t number, Size size)
 {
     NrdPluginImage result = {};
     result.image = reinterpret_cast<VkImage>(number);
     result.format = VK_FORMAT_R32G32B32A32_SFLOAT;
-    result.width = kWidth;
-    result.height = kHeight;
+    result.width = size.width;
+    result.height = size.height;
     result.layout = VK_IMAGE_LAYOUT_GENERAL;
     return result;
 }
 
-std::vector<NrdPluginImage> RecordingPlugin::images(uint32_t denoiser, bool isAll)
+std::vector<NrdPluginImage> RecordingPlugin::images(uint32_t denoiser, bool isAll, Size size)
 {
     uint32_t imageNum = 0;
     requireSuccess(NrdPluginGetImageNum(denoiser, &imageNum));
@@ -86,14 +85,14 @@ std::vector<NrdPluginImage> RecordingPlugin::images(uint32_t denoiser, bool isAl
         NrdPluginImageInfo info = {};
         info.structSize = sizeof(info);
         requireSuccess(NrdPluginGetImageInfo(denoiser, i, &info));
-        if (isAll || info.isRequired) result[i] = image(0x100 + i);
+        if (isAll || info.isRequired) result[i] = image(0x100 + i, size);
     }
     return result;
 }
 
-NrdPluginResult RecordingPlugin::initialize(uint32_t denoiser)
+NrdPluginResult RecordingPlugin::initialize(uint32_t denoiser, Size size)
 {
-    const std::vector<NrdPluginImage> list = images(denoiser);
+    const std::vector<NrdPluginImage> list = images(denoiser, false, size);
     return NrdPluginInitialize(denoiser, list.data(), static_cast<uint32_t>(list.size()));
 }
 } // namespace test

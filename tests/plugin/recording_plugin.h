@@ -2,6 +2,7 @@
 #pragma once
 #include "../common/catch.h"
 #include "../integration/spy_device.h"
+#include "plugin_frames.h"
 #include <deque>
 #include <memory>
 #include <nrd/plugin.h>
@@ -28,10 +29,10 @@ public:
     ~RecordingPlugin(); // releases everything
 
     static NrdPluginDevice deviceDesc();
-    static NrdPluginImage image(uintptr_t number);
+    static NrdPluginImage image(uintptr_t number, Size size = {});
     /// One image for each entry; those that may be missing are, unless asked for.
-    static std::vector<NrdPluginImage> images(uint32_t denoiser, bool isAll = false);
-    static NrdPluginResult initialize(uint32_t denoiser);
+    static std::vector<NrdPluginImage> images(uint32_t denoiser, bool isAll = false, Size size = {});
+    static NrdPluginResult initialize(uint32_t denoiser, Size size = {});
 
     /// In the order of creation; the first is the probe of NrdPluginSetDevice().
     std::deque<RecordedDevice> devices;

@@ -19,10 +19,10 @@ const nrd::NrdImageState kAnyUse = {VK_IMAGE_LAYOUT_GENERAL, VK_ACCESS_MEMORY_RE
 using Texels = std::vector<float>; // four per pixel
 
 // A wall seen by a camera that moves to the right, under noise that differs by frame.
-Texels texelsOf(const std::string& slot, uint32_t frame)
+Texels texelsOf(const std::string& slot, uint32_t frame, Size size)
 {
     std::mt19937 random(static_cast<uint32_t>(std::hash<std::string>{}(slot)) + frame);
-    Texels result(size_t(kWidth) * kHeight * 4, 0.0f);
+    Texels result(size_t(size.width) * size.height * 4, 0.0f);
     for (size_t i = 0; i < result.size(); i += 4)
     {
         float* const texel = result.data() + i;
@@ -41,10 +41,21 @@ Texels texelsOf(const std::string& slot, uint32_t frame)
     return result;
 }
 
+// The sizes of a run of frames: one, then another.
+struct Sizes
+{
+    Size first;
+    Size second;
+    uint32_t changeFrame = kFrameNum; // first of the second size
+
+    Size of(uint32_t frame) const { return frame < changeFrame ? first : second; }
+    bool isFirst(uint32_t frame) const { return frame == 0 || frame == changeFrame; }
+};
+
 // One denoiser's images in the order of the array.
 struct DenoiserImages
 {
-    DenoiserImages(Gpu& gpu, uint32_t index) : denoiser(index)
+    DenoiserImages(Gpu& gpu, uint32_t index, Size imageSize) : denoiser(index), size(imageSize)
     {
         uint32_t imageNum = 0;
         REQUIRE(NrdPluginGetImageNum(index, &imageNum) == NRD_PLUGIN_SUCCESS);
@@ -55,19 +66,19 @@ struct DenoiserImages
             info.structSize = sizeof(info);
             REQUIRE(NrdPluginGetImageInfo(index, i, &info) == NRD_PLUGIN_SUCCESS);
             if (!info.isRequired) continue;
-            EngineImage& image = images.emplace_back(gpu, rhi::Format::RGBA32_SFLOAT, kWidth, kHeight);
+            EngineImage& image = images.emplace_back(gpu, rhi::Format::RGBA32_SFLOAT, size.width, size.height);
             names.push_back(info.name);
-            list[i] = {image.entry.image, image.entry.format, kWidth, kHeight, kAnyUse.layout};
+            list[i] = {image.entry.image, image.entry.format, size.width, size.height, kAnyUse.layout};
         }
     }
 
     bool isOutput(size_t i) const { return names[i].rfind("OUT_", 0) == 0; }
-    // Inputs of the frame; everything in the state in which events find it.
-    void upload(rhi::CommandBuffer& commands, uint32_t frame)
+    // Inputs of the frame, outputs in the first; everything in the state in which events find it.
+    void upload(rhi::CommandBuffer& commands, uint32_t frame, bool isFirst)
     {
         for (size_t i = 0; i < images.size(); i++)
         {
-            if (!isOutput(i) || frame == 0) images[i].upload(commands, texelsOf(names[i], frame).data());
+            if (!isOutput(i) || isFirst) images[i].upload(commands, texelsOf(names[i], frame, size).data());
             images[i].transition(commands, kAnyUse);
         }
     }
@@ -89,6 +100,7 @@ struct DenoiserImages
     }
 
     uint32_t denoiser;
+    Size size;
     std::vector<NrdPluginImage> list;
     std::vector<std::string> names; // of those that are there
     std::deque<EngineImage> images;
@@ -98,7 +110,8 @@ using Pictures = std::vector<Texels>; // one per frame
 
 struct PluginEngine
 {
-    PluginEngine(Gpu& engineGpu, const std::vector<uint32_t>& denoisers) : gpu(engineGpu), frames(engineGpu, 1)
+    PluginEngine(Gpu& engineGpu, const std::vector<uint32_t>& denoisers, const Sizes& frameSizes)
+        : gpu(engineGpu), sizes(frameSizes), frames(engineGpu, 1)
     {
         const nrd::NativeDevice native = gpu.native();
         NrdPluginDevice device = {};
@@ -116,9 +129,10 @@ struct PluginEngine
         require(NrdPluginSetDevice(&device));
         for (const uint32_t denoiser : denoisers)
         {
-            const DenoiserImages& added = images.emplace_back(gpu, denoiser);
-            require(NrdPluginInitialize(denoiser, added.list.data(), static_cast<uint32_t>(added.list.size())));
+            images.emplace_back(gpu, denoiser, sizes.first);
+            imagesOfSecondSize.emplace_back(gpu, denoiser, sizes.second);
         }
+        initialize(images);
         require(NrdPluginGetEventCallback(&callback));
     }
     ~PluginEngine()
@@ -131,33 +145,41 @@ struct PluginEngine
     {
         if (result != NRD_PLUGIN_SUCCESS) throw std::runtime_error(NrdPluginGetLastMessage());
     }
-    static void setFrame(uint32_t frame)
+    static void initialize(const std::deque<DenoiserImages>& denoisers)
     {
+        for (const DenoiserImages& one : denoisers)
+            require(NrdPluginInitialize(one.denoiser, one.list.data(), static_cast<uint32_t>(one.list.size())));
+    }
+    void setFrame(uint32_t frame) const
+    {
+        if (frame == sizes.changeFrame) initialize(imagesOfSecondSize);
         const NrdPluginFrame description = pluginFrame(frame);
         require(NrdPluginSetFrame(&description));
     }
     // On the render thread.
     void render(uint32_t frame)
     {
+        std::deque<DenoiserImages>& own = frame < sizes.changeFrame ? images : imagesOfSecondSize;
         rhi::CommandBuffer& commands = frames.begin();
-        for (DenoiserImages& one : images) one.upload(commands, frame);
+        for (DenoiserImages& one : own) one.upload(commands, frame, sizes.isFirst(frame));
         current = rhi::vulkanCommandBuffer(commands);
-        for (DenoiserImages& one : images) callback(NrdPluginGetEventId(one.denoiser, kFirstFrame + frame));
-        for (DenoiserImages& one : images) one.download(commands);
+        for (DenoiserImages& one : own) callback(NrdPluginGetEventId(one.denoiser, kFirstFrame + frame));
+        for (DenoiserImages& one : own) one.download(commands);
         frames.end();
         frames.wait(); // one upload buffer per image
-        for (size_t i = 0; i < images.size(); i++) pictures[images[i].denoiser].push_back(images[i].outputs());
+        for (const DenoiserImages& one : own) pictures[one.denoiser].push_back(one.outputs());
     }
 
     Gpu& gpu;
+    Sizes sizes;
     FrameRing frames;
-    std::deque<DenoiserImages> images;
+    std::deque<DenoiserImages> images, imagesOfSecondSize;
     NrdPluginEventCallback callback = nullptr;
     VkCommandBuffer current = VK_NULL_HANDLE;
     std::map<uint32_t, Pictures> pictures; // by denoiser
 };
 
-Pictures denoiseDirectly(Gpu& gpu, uint32_t index)
+Pictures denoiseDirectly(Gpu& gpu, uint32_t index, const Sizes& sizes)
 {
     const auto denoiser = static_cast<nrd::Denoiser>(index);
     const nrd::DenoiserDesc denoiserDesc = {0, denoiser};
@@ -166,20 +188,21 @@ Pictures denoiseDirectly(Gpu& gpu, uint32_t index)
     desc.framesInFlight = kFramesInFlight;
     nrd::NrdIntegration integration;
     require(integration.Create(desc, instanceDesc(denoiserDesc)), integration);
-    DenoiserImages images(gpu, index);
-    nrd::NrdUserPool pool = userPool(denoiser, images.list);
+    std::deque<DenoiserImages> images;
+    nrd::NrdUserPool pool;
     FrameRing frames(gpu, 1);
     Pictures result;
     for (uint32_t frame = 0; frame < kFrameNum; frame++)
     {
+        if (sizes.isFirst(frame)) pool = userPool(denoiser, images.emplace_back(gpu, index, sizes.of(frame)).list);
+        const DirectFrame direct = directFrame(frame, sizes.of(frame), sizes.of(frame == 0 ? 0 : frame - 1));
         rhi::CommandBuffer& commands = frames.begin();
-        images.upload(commands, frame);
-        require(denoise(integration, denoiser, directFrame(frame), rhi::vulkanCommandBuffer(commands), pool),
-                integration);
-        images.download(commands);
+        images.back().upload(commands, frame, sizes.isFirst(frame));
+        require(denoise(integration, denoiser, direct, rhi::vulkanCommandBuffer(commands), pool), integration);
+        images.back().download(commands);
         frames.end();
         frames.wait();
-        result.push_back(images.outputs());
+        result.push_back(images.back().outputs());
     }
     return result;
 }
@@ -187,21 +210,24 @@ Pictures denoiseDirectly(Gpu& gpu, uint32_t index)
 
 TEST_CASE("a plug-in driven by a thread three frames behind gives NrdIntegration's pictures", "[gpu]")
 {
+    // Of one size, or of another from frame 5 on.
+    const Sizes sizes = GENERATE(Sizes{}, Sizes{{}, {kWidth + 13, kHeight - 7}, 5});
     const std::vector<uint32_t> denoisers = {NRD_PLUGIN_REBLUR_DIFFUSE, NRD_PLUGIN_RELAX_SPECULAR,
                                              NRD_PLUGIN_SIGMA_SHADOW, NRD_PLUGIN_REFERENCE};
     Gpu gpu;
     std::map<uint32_t, Pictures> pictures;
     {
-        PluginEngine plugin(gpu, denoisers);
+        PluginEngine plugin(gpu, denoisers, sizes);
         ThreadedEngine engine;
-        engine.run(kFrameNum, PluginEngine::setFrame, [&](uint32_t frame) { plugin.render(frame); });
+        engine.run(
+            kFrameNum, [&](uint32_t frame) { plugin.setFrame(frame); }, [&](uint32_t frame) { plugin.render(frame); });
         CHECK(engine.greatestLag() == 3);
         pictures = plugin.pictures;
     }
     for (const uint32_t denoiser : denoisers)
     {
         INFO("denoiser " << denoiser);
-        const Pictures expected = denoiseDirectly(gpu, denoiser);
+        const Pictures expected = denoiseDirectly(gpu, denoiser, sizes);
         REQUIRE(pictures[denoiser].size() == kFrameNum);
         for (uint32_t frame = 0; frame < kFrameNum; frame++)
         {

@@ -27,6 +27,13 @@ public:
 
     void denoiseFrame(const DirectFrame& frame)
     {
+        for (uint32_t slot = 0; slot < nrd::NrdUserPool::kSlotsNum; slot++)
+        {
+            nrd::NrdUserImage& image = m_pool[static_cast<nrd::ResourceType>(slot)];
+            image.width = frame.common.resourceSize[0];
+            image.height = frame.common.resourceSize[1];
+            image.generation = image.width; // the handles stay the same
+        }
         const nrd::Result result =
             denoise(m_integration, m_denoiser, frame, RecordingPlugin::deviceDesc().getCommandBuffer(nullptr), m_pool);
         INFO(m_integration.GetLastMessage());
@@ -96,9 +103,88 @@ TEST_CASE("events of a render thread three frames behind record what NrdIntegrat
     }
 }
 
+TEST_CASE("a denoiser initialised for another size goes on as NrdIntegration does after Resize()", "[unit]")
+{
+    constexpr uint32_t kLargeFrames[] = {8, 16}; // from, to
+    constexpr Size kLarge = {kWidth + 11, kHeight + 5};
+    const auto sizeOf = [&](uint32_t frame)
+    { return frame >= kLargeFrames[0] && frame < kLargeFrames[1] ? kLarge : Size{}; };
+    RecordingPlugin plugin;
+    for (uint32_t denoiser = 0; denoiser < kDenoiserNum; denoiser++) requireSuccess(plugin.initialize(denoiser));
+    const RefusalCounter refusals;
+    ThreadedEngine engine;
+    engine.run(
+        kFrameNum,
+        [&](uint32_t frame)
+        {
+            for (uint32_t denoiser = 0; denoiser < kDenoiserNum; denoiser++)
+                if (frame == kLargeFrames[0] || frame == kLargeFrames[1])
+                    (void)plugin.initialize(denoiser, sizeOf(frame));
+            setFrame(frame);
+        },
+        [&](uint32_t frame)
+        {
+            for (uint32_t denoiser = 0; denoiser < kDenoiserNum; denoiser++)
+                (void)NrdPluginExecute(NrdPluginGetEventId(denoiser, kFirstFrame + frame));
+        });
+    CHECK(refusals.num == 0);
+    REQUIRE(plugin.devices.size() == 1 + kDenoiserNum); // none was created again
+    for (uint32_t denoiser = 0; denoiser < kDenoiserNum; denoiser++)
+    {
+        INFO("denoiser " << denoiser);
+        DirectIntegration expected(denoiser);
+        for (uint32_t frame = 0; frame < kFrameNum; frame++)
+            expected.denoiseFrame(directFrame(frame, sizeOf(frame), sizeOf(frame == 0 ? 0 : frame - 1)));
+        const RecordedDevice& found = plugin.devices[1 + denoiser];
+        CHECK(difference(found.calls(), expected.recorded.calls()) == "");
+        CHECK(found.uploads() == expected.recorded.uploads());
+    }
+}
+
+TEST_CASE("images that may have the handles of others get views of their own", "[unit]")
+{
+    RecordingPlugin plugin;
+    const auto viewNum = [&]
+    {
+        const auto& calls = plugin.devices[1].device->calls();
+        return std::count_if(calls.begin(), calls.end(),
+                             [](const rhi::RecordedCall& call) { return call.type == rhi::CallType::WrapTexture; });
+    };
+    std::ptrdiff_t nums[3] = {};
+    for (uint32_t frame = 0; frame < 3; frame++)
+    {
+        if (frame != 1) requireSuccess(plugin.initialize(NRD_PLUGIN_REBLUR_DIFFUSE));
+        setFrame(frame);
+        requireSuccess(NrdPluginExecute(NrdPluginGetEventId(NRD_PLUGIN_REBLUR_DIFFUSE, kFirstFrame + frame)));
+        nums[frame] = viewNum();
+    }
+    CHECK(plugin.devices.size() == 2);
+    CHECK(nums[0] > 0);
+    CHECK(nums[1] == nums[0]);
+    CHECK(nums[2] == 2 * nums[0]);
+}
+
+TEST_CASE("images with another encoding of normals have a denoiser begin anew", "[unit]")
+{
+    RecordingPlugin plugin;
+    requireSuccess(plugin.initialize(NRD_PLUGIN_REBLUR_DIFFUSE));
+    std::vector<NrdPluginImage> images = RecordingPlugin::images(NRD_PLUGIN_REBLUR_DIFFUSE);
+    images[1].format = VK_FORMAT_A2B10G10R10_UNORM_PACK32; // IN_NORMAL_ROUGHNESS
+    for (uint32_t frame = 0; frame < 2; frame++)
+    {
+        if (frame == 1)
+            requireSuccess(
+                NrdPluginInitialize(NRD_PLUGIN_REBLUR_DIFFUSE, images.data(), static_cast<uint32_t>(images.size())));
+        setFrame(frame);
+        requireSuccess(NrdPluginExecute(NrdPluginGetEventId(NRD_PLUGIN_REBLUR_DIFFUSE, kFirstFrame + frame)));
+    }
+    CHECK(plugin.devices.size() == 3);
+}
+
 TEST_CASE("denoisers come and go on the main thread while the render thread is behind", "[unit]")
 {
     constexpr uint32_t kLongFrameNum = 60;
+    constexpr uint16_t kLarge = 2 * kWidth;
     RecordingPlugin plugin;
     const RefusalCounter refusals;
     // Relax is there in the frames [10; 30) and, anew, from 40 on.
@@ -111,7 +197,7 @@ TEST_CASE("denoisers come and go on the main thread while the render thread is b
         {
             if (frame == 10 || frame == 40) (void)plugin.initialize(NRD_PLUGIN_RELAX_SPECULAR);
             if (frame == 30) (void)NrdPluginRelease(NRD_PLUGIN_RELAX_SPECULAR);
-            if (frame % 8 == 7) (void)plugin.initialize(NRD_PLUGIN_REBLUR_DIFFUSE); // as for another size
+            if (frame % 8 == 7) (void)plugin.initialize(NRD_PLUGIN_REBLUR_DIFFUSE, {frame % 16 == 7 ? kLarge : kWidth});
             setFrame(frame);
         },
         [&](uint32_t frame)
@@ -121,11 +207,11 @@ TEST_CASE("denoisers come and go on the main thread while the render thread is b
                 (void)NrdPluginExecute(NrdPluginGetEventId(NRD_PLUGIN_RELAX_SPECULAR, kFirstFrame + frame));
         });
     CHECK(refusals.num == 0);
-    // The probe, and what was released or replaced long ago, has given everything back.
-    REQUIRE(plugin.devices.size() == 1 + 1 + 2 + 7);
+    // The probe, and what was released long ago, has given everything back; another size creates nothing anew.
+    REQUIRE(plugin.devices.size() == 1 + 1 + 2);
     uint32_t aliveNum = 0;
     for (const RecordedDevice& device : plugin.devices) aliveNum += device.device->objectCount() != 0;
-    CHECK(aliveNum == 3); // Reblur as it is and as it was until frame 54, Relax
+    CHECK(aliveNum == 2); // Reblur, Relax
     requireSuccess(NrdPluginReleaseAll());
     for (const RecordedDevice& device : plugin.devices) CHECK(device.device->objectCount() == 0);
 }

@@ -77,8 +77,7 @@ void View::denoise()
         {
             if ((denoiser.resolutionDivisor == 2) != isHalf) continue;
             identifiers.push_back(denoiser.identifier);
-            test::fillSlots(m_integration, denoiser.identifier, test::dividedSize(m_width, denoiser.resolutionDivisor),
-                            test::dividedSize(kHeight, denoiser.resolutionDivisor), pool);
+            test::fillSlots(m_integration, denoiser.identifier, m_width, kHeight, pool);
         }
         const auto commands = reinterpret_cast<VkCommandBuffer>(uintptr_t{0xC0} + m_frame % 3);
         m_digest.add(

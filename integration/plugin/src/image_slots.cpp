@@ -13,7 +13,7 @@ constexpr uint32_t kMaxSize = 65535; // pixels
 // Before and after an event anything may have been done with an image, by any stage.
 constexpr VkAccessFlags kAnyAccess = VK_ACCESS_MEMORY_READ_BIT | VK_ACCESS_MEMORY_WRITE_BIT;
 
-NrdUserImage toUserImage(const NrdPluginImage& image, ResourceType slot)
+NrdUserImage toUserImage(const NrdPluginImage& image, ResourceType slot, uint64_t generation)
 {
     NrdUserImage result;
     if (image.image == VK_NULL_HANDLE) return result;
@@ -24,6 +24,7 @@ NrdUserImage toUserImage(const NrdPluginImage& image, ResourceType slot)
     result.format = image.format;
     result.width = image.width;
     result.height = image.height;
+    result.generation = generation;
     result.state = {image.layout, kAnyAccess, VK_PIPELINE_STAGE_ALL_COMMANDS_BIT};
     return result;
 }
@@ -123,7 +124,7 @@ std::vector<ResourceRequirement> imageSlots(Denoiser denoiser)
     return std::vector<ResourceRequirement>(needs, needs + needNum);
 }
 
-SlottedImages slotted(Denoiser denoiser, Images images)
+SlottedImages slotted(Denoiser denoiser, Images images, uint64_t generation)
 {
     const std::vector<ResourceRequirement> slots = imageSlots(denoiser);
     if (images.data() == nullptr || images.size() != slots.size())
@@ -132,7 +133,8 @@ SlottedImages slotted(Denoiser denoiser, Images images)
                                static_cast<uint32_t>(slots.size()), static_cast<uint32_t>(images.size()),
                                images.data() ? "" : " at a null pointer"));
     SlottedImages result;
-    for (size_t i = 0; i < slots.size(); i++) result.pool[slots[i].type] = toUserImage(images[i], slots[i].type);
+    for (size_t i = 0; i < slots.size(); i++)
+        result.pool[slots[i].type] = toUserImage(images[i], slots[i].type, generation);
     result.common = settingsOf(result.pool, sizingImage(denoiser, result.pool, {slots.data(), slots.size()}));
     if (has(result.pool, ResourceType::IN_NORMAL_ROUGHNESS))
         result.normalEncoding = encodingOf(result.pool[ResourceType::IN_NORMAL_ROUGHNESS]);

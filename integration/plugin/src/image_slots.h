@@ -26,6 +26,7 @@ struct SlottedImages
     CommonSettings common;
     NormalEncoding normalEncoding = NormalEncoding::R10_G10_B10_A2_UNORM;
 };
-/// Throws a sentence about the first image that is missing or does not suit its slot.
-SlottedImages slotted(Denoiser denoiser, Images images);
+/// Throws a sentence about the first image that is missing or does not suit its slot. `generation`: another number
+/// where images may have the handles of older ones that are gone.
+SlottedImages slotted(Denoiser denoiser, Images images, uint64_t generation);
 } // namespace nrd::plugin

@@ -65,15 +65,18 @@ const Device& Plugin::requireDevice() const
 void Plugin::initialize(uint32_t denoiser, Images images)
 {
     const Denoiser kind = toDenoiser(denoiser);
-    const Device device = [this]
-    {
-        const std::lock_guard lock(m_mutex);
-        return requireDevice();
-    }();
-    auto session = std::make_shared<Session>(device, kind, images);
-    const std::lock_guard lock(m_mutex);
-    if (m_sessions[denoiser]) retire(m_sessions[denoiser]);
-    m_sessions[denoiser] = std::move(session);
+    std::unique_lock lock(m_mutex);
+    const Device device = requireDevice();
+    Initialized next = m_denoisers[denoiser];
+    const uint64_t generation = ++m_initializeNum;
+    lock.unlock();
+    next.images = std::make_shared<const SlottedImages>(slotted(kind, images, generation));
+    if (!next.session || !next.session->suits(*next.images))
+        next.session = std::make_shared<Session>(device, kind, *next.images);
+    lock.lock();
+    Initialized& present = m_denoisers[denoiser];
+    if (present.session && present.session != next.session) retire(present.session);
+    present = std::move(next);
 }
 
 Plugin::AllSettings Plugin::defaults()
@@ -111,7 +114,7 @@ void Plugin::setFrame(const NrdPluginFrame& frame)
     RingSlot& slot = m_ring[frame.frameIndex % kRingSize];
     const bool isRepeated = slot.frame && slot.frame->frameIndex == frame.frameIndex;
     slot.frame = frame;
-    slot.sessions = m_sessions;
+    slot.denoisers = m_denoisers;
     slot.settings = m_settings;
     if (isRepeated) return;
     m_frameNum++;
@@ -128,10 +131,10 @@ Plugin::Event Plugin::findEvent(uint32_t eventId)
     const Device& device = requireDevice();
     const RingSlot& slot = m_ring[slotIndex];
     if (!slot.frame) throw invalid(sentence("event id 0x%X: no frame was set in ring slot %u", eventId, slotIndex));
-    if (!slot.sessions[denoiser])
+    if (!slot.denoisers[denoiser].session)
         throw invalid(sentence("event id 0x%X: %s was not initialised when frame %u was set", eventId, name,
                                slot.frame->frameIndex));
-    return {*slot.frame, slot.sessions[denoiser], slot.settings[denoiser], device.getCommandBuffer, device.userArg};
+    return {*slot.frame, slot.denoisers[denoiser], slot.settings[denoiser], device.getCommandBuffer, device.userArg};
 }
 
 void Plugin::execute(uint32_t eventId)
@@ -139,22 +142,19 @@ void Plugin::execute(uint32_t eventId)
     const Event event = findEvent(eventId);
     const VkCommandBuffer commandBuffer = event.getCommandBuffer(event.userArg);
     if (commandBuffer == VK_NULL_HANDLE) throw invalid("getCommandBuffer returned null");
-    event.session->execute(commandBuffer, event.frame, event.settings);
+    event.denoiser.session->execute(commandBuffer, *event.denoiser.images, event.frame, event.settings);
 }
 
 void Plugin::release(uint32_t denoiser)
 {
     const Denoiser kind = toDenoiser(denoiser);
     const std::lock_guard lock(m_mutex);
-    if (!m_sessions[denoiser]) throw invalid(sentence("%s is not initialised", toString(kind)));
-    retire(m_sessions[denoiser]);
+    if (!m_denoisers[denoiser].session) throw invalid(sentence("%s is not initialised", toString(kind)));
+    retire(m_denoisers[denoiser].session);
+    m_denoisers[denoiser] = {};
 }
 
-void Plugin::retire(std::shared_ptr<Session>& session)
-{
-    m_retired.push_back({session, m_frameNum});
-    session.reset();
-}
+void Plugin::retire(std::shared_ptr<Session> session) { m_retired.push_back({std::move(session), m_frameNum}); }
 
 // Frames that were set may be recorded three frames later, and the GPU be done with them framesInFlight frames later.
 void Plugin::collectRetired()
@@ -169,7 +169,7 @@ void Plugin::releaseAll()
     const std::lock_guard lock(m_mutex);
     m_retired.clear();
     for (RingSlot& slot : m_ring) slot = {};
-    m_sessions = {};
+    m_denoisers = {};
     m_settings = defaults();
     m_checker.reset();
     m_device.reset();

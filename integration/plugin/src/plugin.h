@@ -23,15 +23,20 @@ public:
 
 private:
     static constexpr uint32_t kDenoiserNum = static_cast<uint32_t>(Denoiser::MAX_NUM);
-    using Sessions = std::array<std::shared_ptr<Session>, kDenoiserNum>; // null where not initialised
-
+    // A denoiser that was initialised, else null.
+    struct Initialized
+    {
+        std::shared_ptr<Session> session;
+        std::shared_ptr<const SlottedImages> images;
+    };
+    using AllInitialized = std::array<Initialized, kDenoiserNum>;
     using AllSettings = std::array<DenoiserSettings, kDenoiserNum>;
 
     // What the main thread leaves for the events of a frame.
     struct RingSlot
     {
         std::optional<NrdPluginFrame> frame;
-        Sessions sessions;
+        AllInitialized denoisers;
         AllSettings settings;
     };
     struct Retired
@@ -43,7 +48,7 @@ private:
     struct Event
     {
         NrdPluginFrame frame;
-        std::shared_ptr<Session> session;
+        Initialized denoiser;
         DenoiserSettings settings;
         NrdPluginCommandBufferProvider getCommandBuffer;
         void* userArg;
@@ -52,17 +57,18 @@ private:
     static AllSettings defaults();
     Event findEvent(uint32_t eventId);
     const Device& requireDevice() const;
-    void retire(std::shared_ptr<Session>& session);
+    void retire(std::shared_ptr<Session> session);
     void collectRetired();
 
     std::mutex m_mutex; // of all below; never held while the engine is called or pipelines are made
     std::optional<Device> m_device;
     std::optional<FrameChecker> m_checker;
-    Sessions m_sessions;
+    AllInitialized m_denoisers;
     AllSettings m_settings = defaults();
     std::array<RingSlot, kRingSize> m_ring;
     std::vector<Retired> m_retired;
-    uint64_t m_frameNum = 0; // frames set
+    uint64_t m_frameNum = 0;      // frames set
+    uint64_t m_initializeNum = 0; // calls of initialize()
 };
 
 Denoiser toDenoiser(uint32_t index);                     // throws if there is none

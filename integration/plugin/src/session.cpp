@@ -4,19 +4,19 @@
 
 namespace nrd::plugin
 {
-Session::Session(const Device& device, Denoiser denoiser, Images images)
-    : m_denoiser(denoiser), m_images(slotted(denoiser, images))
+Session::Session(const Device& device, Denoiser denoiser, const SlottedImages& images)
+    : m_denoiser(denoiser), m_normalEncoding(images.normalEncoding)
 {
-    create(device);
+    create(device, images);
 }
 
-void Session::create(const Device& device)
+void Session::create(const Device& device, const SlottedImages& images)
 {
     IntegrationCreationDesc desc;
     desc.name = toString(m_denoiser);
     desc.native = device.native;
-    desc.resourceWidth = m_images.common.resourceSize[0];
-    desc.resourceHeight = m_images.common.resourceSize[1];
+    desc.resourceWidth = images.common.resourceSize[0];
+    desc.resourceHeight = images.common.resourceSize[1];
     desc.framesInFlight = device.framesInFlight;
     desc.maxDenoiseCallsPerFrame = 1;
     desc.createDefaultPipelines = true; // here, not on the render thread
@@ -24,7 +24,7 @@ void Session::create(const Device& device)
     InstanceCreationDesc instance;
     instance.denoisers = &denoiser;
     instance.denoisersNum = 1;
-    instance.normalEncoding = m_images.normalEncoding;
+    instance.normalEncoding = m_normalEncoding;
     check(device.create(m_integration, desc, instance));
 }
 
@@ -33,13 +33,13 @@ void Session::check(Result result) const
     if (result != Result::SUCCESS) throw Refusal(result, m_integration.GetLastMessage());
 }
 
-CommonSettings Session::settingsFor(const NrdPluginFrame& frame) const
+CommonSettings Session::settingsFor(const SlottedImages& images, const NrdPluginFrame& frame) const
 {
-    CommonSettings result = toCommonSettings(frame, m_images.common.resourceSize);
-    result.isHistoryConfidenceAvailable = m_images.common.isHistoryConfidenceAvailable;
-    result.isDisocclusionThresholdMixAvailable = m_images.common.isDisocclusionThresholdMixAvailable;
-    result.isSpecularMotionAvailable = m_images.common.isSpecularMotionAvailable;
-    result.enableValidation = m_images.common.enableValidation;
+    CommonSettings result = toCommonSettings(frame, images.common.resourceSize);
+    result.isHistoryConfidenceAvailable = images.common.isHistoryConfidenceAvailable;
+    result.isDisocclusionThresholdMixAvailable = images.common.isDisocclusionThresholdMixAvailable;
+    result.isSpecularMotionAvailable = images.common.isSpecularMotionAvailable;
+    result.enableValidation = images.common.enableValidation;
     if (m_last && m_last->frameIndex + 1 == frame.frameIndex)
         continueFrom(*m_last, result);
     else if (result.accumulationMode == AccumulationMode::CONTINUE)
@@ -47,7 +47,8 @@ CommonSettings Session::settingsFor(const NrdPluginFrame& frame) const
     return result;
 }
 
-void Session::execute(VkCommandBuffer commandBuffer, const NrdPluginFrame& frame, const DenoiserSettings& settings)
+void Session::execute(VkCommandBuffer commandBuffer, const SlottedImages& images, const NrdPluginFrame& frame,
+                      const DenoiserSettings& settings)
 {
     const std::lock_guard lock(m_mutex);
     if (m_last && m_last->frameIndex == frame.frameIndex)
@@ -56,13 +57,15 @@ void Session::execute(VkCommandBuffer commandBuffer, const NrdPluginFrame& frame
     // Opened once for each frame that is recorded, whatever was refused: its ring must not run ahead of the GPU.
     if (!m_isFrameOpen) check(m_integration.NewFrame());
     m_isFrameOpen = true;
-    const CommonSettings common = settingsFor(frame);
+    const uint16_t(&size)[2] = images.common.resourceSize;
+    check(m_integration.Resize(size[0], size[1])); // nothing if it is as it was
+    const CommonSettings common = settingsFor(images, frame);
     check(m_integration.SetCommonSettings(common));
     const auto set = [this](const auto& s) { check(m_integration.SetDenoiserSettings(kIdentifier, s)); };
     std::visit(set, withLight(settings, frame));
     DenoiseOptions options;
     options.restoreInitialStates = true;
-    NrdUserPool pool = m_images.pool;
+    NrdUserPool pool = images.pool;
     check(m_integration.Denoise(commandBuffer, &kIdentifier, 1, pool, options));
     m_isFrameOpen = false;
     m_last = common;

@@ -5,7 +5,7 @@
  * events with NrdPluginGetEventId(denoiser, frameIndex) for the render thread.
  * Render thread: the callback of NrdPluginGetEventCallback() asks the engine for its current command buffer and records
  * the denoiser into it. It may lag the main thread by three frames. What an event uses is fixed when its frame is set:
- * a denoiser initialised later is not there yet, one released or initialised anew is still there as it was.
+ * a denoiser initialised later is not there yet, one released or initialised anew still has the images it had.
  *
  * Threads: every function from any thread, except that NrdPluginReleaseAll() must be the only one that runs.
  * Errors: no exception leaves, nothing asserts. A refused call changes nothing, records nothing, and has one sentence
@@ -147,7 +147,10 @@ extern "C"
     NRD_PLUGIN_API NrdPluginResult NrdPluginGetImageInfo(uint32_t denoiser, uint32_t index, NrdPluginImageInfo* info);
 
     /* Creates textures and pipelines, which takes its time; for frames that are set from now on. A denoiser that is
-     * there already is replaced, its history is lost: so it is resized. */
+     * there already gets other images, and its history goes on in them. Where their size is another, the first event
+     * with them makes textures of that size and takes the history along; refused with NRD_PLUGIN_FAILURE where there is
+     * no memory for them, and tried again by the next. Only with another encoding of normals does it begin anew. The
+     * images before must live until the GPU is done with the frames that were set so far. */
     NRD_PLUGIN_API NrdPluginResult NrdPluginInitialize(uint32_t denoiser, const NrdPluginImage* images,
                                                        uint32_t imageNum);
 
