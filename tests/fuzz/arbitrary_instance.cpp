@@ -39,6 +39,7 @@ void makeArbitrary(ArbitraryInstance& instance, ByteReader& reader, uint32_t& re
     desc.roughnessEncoding =
         isWild() ? reader.value<RoughnessEncoding>() : static_cast<RoughnessEncoding>(reader.below(3));
     if (reader.below(4) == 0) desc.confidenceTileSize = isWild() ? reader.value<uint32_t>() : reader.below(9);
+    desc.isSoftwareDevice = reader.below(2) == 1;
     desc.messageSink.userArg = &reportNum;
     desc.messageSink.report = [](void* userArg, Result result, const char* text)
     {

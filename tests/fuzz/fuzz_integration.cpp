@@ -55,7 +55,7 @@ private:
     uint32_t m_width = 0, m_height = 0;
     uint32_t m_lastWidth = 0, m_lastHeight = 0; // of the last frame, 0: there was none
     uint32_t m_frameIndex = 0;                  // of the last frame
-    sample::ReplaySettings m_settings = {test::makeCommon(), {}, {}, {}, {}};
+    sample::ReplaySettings m_settings = {test::makeCommon(), {}, {}, {}, {}, {}};
     uint32_t m_reportNum = 0;
 };
 
@@ -172,7 +172,7 @@ void Calls::setDenoiser()
 {
     const Identifier identifier = fuzz::arbitraryIdentifier(m_reader);
     const auto family = static_cast<sample::Family>(1 + m_reader.below(4));
-    if (m_reader.below(4) == 0) m_settings = {m_settings.common, {}, {}, {}, {}};
+    if (m_reader.below(4) == 0) m_settings = {m_settings.common, {}, {}, {}, {}, {}};
     fuzz::changeSettings(m_settings, family, m_reader);
     check(sample::setDenoiserSettings(m_settings, family,
                                       [&](const auto& settings)

@@ -33,7 +33,7 @@ private:
 
     ByteReader& m_reader;
     Instance* m_instance = nullptr;
-    sample::ReplaySettings m_settings = {test::makeCommon(), {}, {}, {}, {}};
+    sample::ReplaySettings m_settings = {test::makeCommon(), {}, {}, {}, {}, {}};
     uint32_t m_reportNum = 0;
 };
 
@@ -68,7 +68,7 @@ void Calls::setDenoiser()
 {
     const Identifier identifier = fuzz::arbitraryIdentifier(m_reader);
     const auto family = static_cast<sample::Family>(1 + m_reader.below(4));
-    if (m_reader.below(4) == 0) m_settings = {m_settings.common, {}, {}, {}, {}};
+    if (m_reader.below(4) == 0) m_settings = {m_settings.common, {}, {}, {}, {}, {}};
     fuzz::changeSettings(m_settings, family, m_reader);
     check(sample::setDenoiserSettings(m_settings, family,
                                       [&](const auto& settings)
