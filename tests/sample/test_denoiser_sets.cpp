@@ -76,7 +76,7 @@ TEST_CASE("a setting reaches every family that has it", "[unit]")
     CHECK(s.relax.diffuseMaxAccumulatedFrameNum == 4);
     CHECK_THROWS_AS(applySettings(s, families, {{"noSuchSetting", "1"}}), SettingError);
     CHECK_THROWS_AS(applySettings(s, families, {{"diffuseMaxAccumulatedFrameNum", "many"}}), SettingError);
-    CHECK_THROWS_AS(applySettings(s, {Family::Reblur}, {{"diffuseMaxAccumulatedFrameNum", "4"}}), SettingError);
+    CHECK_THROWS_AS(applySettings(s, std::vector{Family::Reblur}, {{"diffuseMaxAccumulatedFrameNum", "4"}}), SettingError);
     CHECK(isCommonSetting("splitScreen"));
     CHECK_FALSE(isCommonSetting("maxBlurRadius"));
 }
