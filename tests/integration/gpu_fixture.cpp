@@ -55,6 +55,7 @@ nrd::NativeDevice Gpu::native() const
 }
 
 EngineImage::EngineImage(Gpu& gpu, rhi::Format format, uint32_t width, uint32_t height, rhi::TextureUsage usage)
+    : m_gpu(&gpu)
 {
     rhi::TextureDesc desc;
     desc.format = format;
@@ -64,9 +65,6 @@ EngineImage::EngineImage(Gpu& gpu, rhi::Format format, uint32_t width, uint32_t 
     m_texture = gpu.device().createTexture(desc);
     rhi::BufferDesc buffer;
     buffer.size = m_texture->mipByteSize(0);
-    buffer.usage = rhi::BufferUsage::TransferSrc;
-    buffer.memory = rhi::BufferMemory::Upload;
-    m_upload = gpu.device().createBuffer(buffer);
     buffer.usage = rhi::BufferUsage::TransferDst;
     buffer.memory = rhi::BufferMemory::Readback;
     m_readback = gpu.device().createBuffer(buffer);
@@ -90,10 +88,16 @@ void EngineImage::transition(rhi::CommandBuffer& commands, const nrd::NrdImageSt
 
 void EngineImage::upload(rhi::CommandBuffer& commands, const void* bytes)
 {
-    std::memcpy(m_upload->mapped(), bytes, m_upload->desc().size);
+    rhi::BufferDesc desc;
+    desc.size = m_texture->mipByteSize(0);
+    desc.usage = rhi::BufferUsage::TransferSrc;
+    desc.memory = rhi::BufferMemory::Upload;
+    m_uploads.push_back(m_gpu->device().createBuffer(desc));
+    rhi::Buffer* const upload = m_uploads.back().get();
+    std::memcpy(upload->mapped(), bytes, desc.size);
     transition(commands,
                {VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, VK_ACCESS_TRANSFER_WRITE_BIT, VK_PIPELINE_STAGE_TRANSFER_BIT});
-    commands.copyBufferToTexture({m_texture.get(), 0, m_upload.get(), 0});
+    commands.copyBufferToTexture({m_texture.get(), 0, upload, 0});
 }
 
 void EngineImage::download(rhi::CommandBuffer& commands)

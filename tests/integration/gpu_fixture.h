@@ -50,8 +50,9 @@ public:
     nrd::NrdUserImage entry; // its state is the truth
 
 private:
+    Gpu* m_gpu;
     std::unique_ptr<rhi::Texture> m_texture;
-    std::unique_ptr<rhi::Buffer> m_upload;
+    std::vector<std::unique_ptr<rhi::Buffer>> m_uploads; // one each: the GPU may be reading those of frames in flight
     std::unique_ptr<rhi::Buffer> m_readback;
 };
 
