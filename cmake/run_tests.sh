@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Runs tests of a build folder: run_tests.sh BUILD [CTEST ARGUMENTS]. Prints their figures, the log's end if one fails,
+# Runs tests of a build folder: run_tests.sh BUILD [CTEST ARGUMENTS]. Prints their figures, what failed ones said,
 # and last "N passed, N failed", with the number of skipped tests if test data is missing. JOBS and TIMEOUT, the seconds
 # that a test may take, may be set in the environment.
 set -euo pipefail
@@ -12,7 +12,9 @@ status=0
 ctest --test-dir "$build" --verbose --no-tests=error --timeout "${TIMEOUT:-900}" \
     -j "${JOBS:-$(nproc)}" "$@" > "$log" 2>&1 || status=$?
 grep -E '^[0-9]+: (SKIPPED|FIGURE)|^ *[0-9]+/[0-9]+ Test|\*\*\*' "$log" | sed -E 's/^[0-9]+: //' || true
-if [ $status -ne 0 ]; then grep -E '^[0-9]+: ' "$log" | sed -E 's/^[0-9]+: //' | grep -vE '^(SKIPPED|FIGURE)' | tail -n 200; fi
+for number in $(sed -nE 's/^ *[0-9]+\/[0-9]+ Test +#([0-9]+):.*\*\*\*.*/\1/p' "$log"); do
+    grep -E "^$number: " "$log" | sed -E 's/^[0-9]+: //' | grep -vE '^(SKIPPED|FIGURE)' | tail -n 100
+done
 
 # Each test program closes with Catch2's summary; a program without one (a crash, the layer check) counts as one test.
 awk -v status=$status '
