@@ -78,6 +78,7 @@ void App::frame()
     const double seconds = secondsOfFrame();
     listen(seconds);
     m_viewer->traceAllPixels(m_recorder.isCapturing());
+    if (m_viewer->awaitsDenoisers()) show("Compiling " + m_viewer->state.sides[0].set.name());
     const bool isNew = m_viewer->advance(seconds);
     if (isScripted() && m_viewer->wasRefused()) throw ScriptError(m_viewer->message());
     m_picked.reset();
@@ -124,7 +125,8 @@ void App::finishLoading()
         const glm::ivec2 size = m_window.pixelSize();
         options.width = scaled(size.x, m_wishes.renderScale);
         options.height = scaled(size.y, m_wishes.renderScale);
-        auto viewer = std::make_unique<Viewer>(m_device, std::move(stage), options, window::Swapchain::kFramesInFlight);
+        auto viewer = std::make_unique<Viewer>(m_device, std::move(stage), options, window::Swapchain::kFramesInFlight,
+                                               FirstPicture::Noisy);
         if (m_viewer)
         {
             viewer->state.view = m_viewer->state.view;

@@ -25,8 +25,10 @@ bool losesSpecular(const Side& side, Lobes lobes)
 }
 } // namespace
 
-Viewer::Viewer(const engine::Device& device, Stage stage, const Options& options, uint32_t slotCount)
-    : m_device(device), m_stage(std::move(stage)), m_options(options), m_slotCount(slotCount), m_ring(device, 2)
+Viewer::Viewer(const engine::Device& device, Stage stage, const Options& options, uint32_t slotCount,
+               FirstPicture first)
+    : m_device(device), m_stage(std::move(stage)), m_options(options), m_slotCount(slotCount),
+      m_isNoisyFirst(first == FirstPicture::Noisy), m_ring(device, 2)
 {
     settleDenoisers(m_options, m_stage.scene);
     m_untouchedEnvironment = m_stage.environment;
@@ -111,8 +113,9 @@ std::vector<Assignment> Viewer::effectiveSettings(size_t index) const
 
 void Viewer::followSide(size_t index, bool isNew)
 {
-    const std::vector<Assignment> settings = effectiveSettings(index);
-    const Side side = {state.sides[index].set, settings, state.sides[index].resolution};
+    const std::vector<Assignment> settings = m_isNoisyFirst ? std::vector<Assignment>() : effectiveSettings(index);
+    const DenoiserSet set = m_isNoisyFirst ? parseDenoiserSets("NONE").front() : state.sides[index].set;
+    const Side side = {set, settings, state.sides[index].resolution};
     const size_t place = index == 0 ? kSideA : kSideB;
     if (isNew)
     {
@@ -197,11 +200,20 @@ void Viewer::followSides()
     }
 }
 
+void Viewer::startDenoisers()
+{
+    m_isNoisyFirst = false;
+    followSide(0, true);
+    if (m_applied.isCompared) followSide(1, true);
+    state.isRestarted = true;
+}
+
 bool Viewer::advance(double seconds)
 {
     m_wasRefused = false;
     try
     {
+        if (awaitsDenoisers()) startDenoisers();
         followTracer();
         followLights();
         followSides();
@@ -296,20 +308,14 @@ void Viewer::setShaders(ShaderModules modules)
 {
     m_device.waitIdle();
     std::swap(m_shaders, modules);
-    const auto remake = [&]
-    {
-        followSide(0, true);
-        if (m_applied.isCompared) followSide(1, true);
-        state.isRestarted = true;
-    };
     try
     {
-        remake();
+        startDenoisers();
     }
     catch (const engine::Error&)
     {
         std::swap(m_shaders, modules);
-        remake();
+        startDenoisers();
         throw;
     }
 }

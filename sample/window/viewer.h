@@ -19,15 +19,25 @@ struct PickedPixel
     std::array<std::optional<float>, 2> historyLength; // frames, by lobe; nullopt: the denoiser does not tell
 };
 
+/// What a viewer shows first. Drivers take seconds to compile denoisers, and some only when they run.
+enum class FirstPicture : uint8_t
+{
+    Denoised,
+    Noisy, // the sides are made for the second
+};
+
 class Viewer
 {
 public:
     /// Takes over scene, environment and the options' choices. Throws engine::Error, SceneError and SettingError.
-    Viewer(const engine::Device& device, Stage stage, const Options& options, uint32_t slotCount);
+    Viewer(const engine::Device& device, Stage stage, const Options& options, uint32_t slotCount,
+           FirstPicture first = FirstPicture::Denoised);
 
     /// Follows the state, renders a frame unless paused, and adds to the reference. True if there is a new frame.
     /// What the state asks and cannot be had is undone in it, with a message. `seconds`: since the last call.
     bool advance(double seconds);
+    /// The next picture is the first one denoised.
+    bool awaitsDenoisers() const { return m_isNoisyFirst && m_frameCount > 0; }
     /// Another size of the picture; history and reference are lost.
     void resize(uint32_t width, uint32_t height);
 
@@ -88,6 +98,7 @@ private:
     void followLights();
     void followSides();
     void followSide(size_t index, bool isNew);
+    void startDenoisers();
     Options optionsOf(const Side& side) const;
     std::vector<Assignment> effectiveSettings(size_t index) const;
     void renderFrame(double seconds);
@@ -99,6 +110,7 @@ private:
     std::optional<Environment> m_untouchedEnvironment; // not turned
     Options m_options;
     uint32_t m_slotCount;
+    bool m_isNoisyFirst;
     bool m_hasSun = false;
     ShaderModules m_shaders; // in place of the library's; outlives the stages
     std::unique_ptr<Renderer> m_renderer;

@@ -27,10 +27,10 @@ Options optionsFor(const char* scene, const char* denoiser)
     return options;
 }
 
-Viewer makeViewer(const char* scene, const char* denoiser)
+Viewer makeViewer(const char* scene, const char* denoiser, FirstPicture first = FirstPicture::Denoised)
 {
     const Options options = optionsFor(scene, denoiser);
-    return Viewer(test::sampleDevice(), loadStage(options), options, 2);
+    return Viewer(test::sampleDevice(), loadStage(options), options, 2, first);
 }
 
 // The picture as bytes.
@@ -147,6 +147,24 @@ TEST_CASE("every view of every kind of denoiser is drawn", "[gpu]")
     }
     CHECK_FALSE(viewer.wasRefused());
     CHECK(test::sampleDevice().validationMessageCount() == 0);
+}
+
+TEST_CASE("the first picture may be noisy, so that it comes soon; settings wait for the denoiser", "[gpu]")
+{
+    Viewer noisy = makeViewer("cornell", "NONE");
+    Viewer viewer = makeViewer("cornell", "REBLUR_DIFFUSE_SPECULAR", FirstPicture::Noisy);
+    viewer.set({"maxAccumulatedFrameNum", "7"});
+    CHECK_FALSE(viewer.awaitsDenoisers());
+    noisy.advance(kFrame);
+    viewer.advance(kFrame);
+    CHECK(viewer.awaitsDenoisers());
+    CHECK(show(viewer) == show(noisy));
+    noisy.advance(kFrame);
+    viewer.advance(kFrame);
+    CHECK_FALSE(viewer.awaitsDenoisers());
+    CHECK(show(viewer) != show(noisy));
+    CHECK(viewer.settingsOf(viewer.state.sides[0]).reblur.maxAccumulatedFrameNum == 7);
+    CHECK_FALSE(viewer.wasRefused());
 }
 
 TEST_CASE("left of the split is A, right of it B", "[gpu]")
