@@ -1,5 +1,7 @@
 #include "options.h"
 #include "long_form.h"
+#include <algorithm>
+#include <iterator>
 
 namespace options
 {
@@ -341,6 +343,29 @@ std::span<const nrd::Denoiser> allDenoisers()
 {
     const nrd::LibraryDesc& library = nrd::GetLibraryDesc();
     return {library.supportedDenoisers, library.supportedDenoisersNum};
+}
+
+bool isWidest(nrd::Denoiser denoiser)
+{
+    using D = nrd::Denoiser;
+    for (const D widest :
+         {D::REBLUR_DIFFUSE_SPECULAR_SH, D::REBLUR_DIFFUSE_SPECULAR_OCCLUSION, D::REBLUR_DIFFUSE_DIRECTIONAL_OCCLUSION,
+          D::RELAX_DIFFUSE_SPECULAR_SH, D::SIGMA_SHADOW_TRANSLUCENCY, D::REFERENCE})
+        if (denoiser == widest) return true;
+    return false;
+}
+
+std::span<const nrd::Denoiser> testedDenoisers()
+{
+    if (test::isMiddle()) return allDenoisers();
+    static const std::vector<nrd::Denoiser> some = []
+    {
+        std::vector<nrd::Denoiser> result = {nrd::Denoiser::REBLUR_SPECULAR, nrd::Denoiser::RELAX_DIFFUSE,
+                                             nrd::Denoiser::SIGMA_SHADOW};
+        std::copy_if(allDenoisers().begin(), allDenoisers().end(), std::back_inserter(result), isWidest);
+        return result;
+    }();
+    return some;
 }
 
 bool isRepresentative(nrd::Denoiser denoiser)

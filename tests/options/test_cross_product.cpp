@@ -27,7 +27,7 @@ bool isMeasured(size_t denoiser, size_t option)
 
 bool isRunSmall(size_t denoiser, size_t option)
 {
-    const bool isEach = test::isLong() || (test::isMiddle() && !isRelax(allDenoisers()[denoiser]));
+    const bool isEach = test::isLong() || (test::isMiddle() && !isRelax(testedDenoisers()[denoiser]));
     return isEach || isTurn(denoiser, option, kTurns);
 }
 
@@ -57,6 +57,8 @@ void checkFrame(const Result& result, int frame)
 
 void checkError(const Result& last, const Setup& setup, const Option& option, Tally& tally)
 {
+    // Left of the split REFERENCE leaves the output alone, which here is another image than its input.
+    if (setup.denoiser == nrd::Denoiser::REFERENCE && std::string(option.name).starts_with("split screen")) return;
     const bool isRestarted = setup.denoiser == nrd::Denoiser::REFERENCE && setup.isRectVarying;
     const bool isInput = std::string(option.name) == "split screen 1" || isRestarted;
     const bool isPartlyInput = std::string(option.name) == "split screen 0.5";
@@ -90,7 +92,7 @@ void runOption(Runner& runner, Setup setup, const Option& option, Tally& tally)
 
 void runOtherEncodings(size_t denoiserIndex, Tally& tally)
 {
-    const nrd::Denoiser denoiser = allDenoisers()[denoiserIndex];
+    const nrd::Denoiser denoiser = testedDenoisers()[denoiserIndex];
     using N = nrd::NormalEncoding;
     using R = nrd::RoughnessEncoding;
     const struct
@@ -118,9 +120,9 @@ void runOtherEncodings(size_t denoiserIndex, Tally& tally)
 TEST_CASE("every denoiser denoises with every option at every size", "[gpu]")
 {
     CHECK(allDenoisers().size() == static_cast<size_t>(nrd::Denoiser::MAX_NUM));
-    for (size_t d = 0; d < allDenoisers().size(); d++)
+    for (size_t d = 0; d < testedDenoisers().size(); d++)
     {
-        const nrd::Denoiser denoiser = allDenoisers()[d];
+        const nrd::Denoiser denoiser = testedDenoisers()[d];
         Tally tally;
         Runner runner(denoiser);
         const std::vector<Option>& options = allOptions(denoiser);

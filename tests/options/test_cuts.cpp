@@ -143,7 +143,7 @@ bool tellsLength(nrd::Denoiser denoiser)
 TEST_CASE("from a cut on every denoiser's frames are those of a fresh instance", "[gpu]")
 {
     std::map<std::string, size_t> leaksOf; // by cut
-    for (const nrd::Denoiser denoiser : allDenoisers())
+    for (const nrd::Denoiser denoiser : testedDenoisers())
     {
         Runner runner(denoiser);
         const struct
@@ -179,7 +179,7 @@ TEST_CASE("without detection a cut that nobody announced leaks", "[gpu]")
 
 TEST_CASE("a pan and an ordinary camera are no cuts", "[gpu]")
 {
-    for (const nrd::Denoiser denoiser : allDenoisers())
+    for (const nrd::Denoiser denoiser : testedDenoisers())
     {
         if (!tellsLength(denoiser)) continue;
         Runner runner(denoiser);

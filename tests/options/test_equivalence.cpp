@@ -154,7 +154,7 @@ double rmsDifference(const Result& a, const Result& b, bool hasLength)
 TEST_CASE("one scene said in two ways gives the same bits, or nearly", "[gpu]")
 {
     std::vector<double> worst(std::size(kClose), 0.0);
-    for (const nrd::Denoiser denoiser : allDenoisers())
+    for (const nrd::Denoiser denoiser : testedDenoisers())
     {
         if (!isRepresentative(denoiser)) continue;
         Runs run{denoiser};

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <iterator>
 #include <limits>
 
 using namespace options;
@@ -14,10 +15,12 @@ namespace
 {
 constexpr glm::ivec2 kSize{64, 48};
 constexpr float kHalfMax = 65504.0f, kHitDist = 1.5f;
-constexpr nrd::Denoiser kRelaxDenoisers[] = {
-    nrd::Denoiser::RELAX_DIFFUSE,     nrd::Denoiser::RELAX_DIFFUSE_SH,       nrd::Denoiser::RELAX_SPECULAR,
-    nrd::Denoiser::RELAX_SPECULAR_SH, nrd::Denoiser::RELAX_DIFFUSE_SPECULAR, nrd::Denoiser::RELAX_DIFFUSE_SPECULAR_SH,
-};
+std::vector<nrd::Denoiser> relaxDenoisers()
+{
+    std::vector<nrd::Denoiser> result;
+    std::copy_if(testedDenoisers().begin(), testedDenoisers().end(), std::back_inserter(result), isRelax);
+    return result;
+}
 
 bool isDirections(Slot slot) { return slot == Slot::OUT_DIFF_SH1 || slot == Slot::OUT_SPEC_SH1; }
 bool isSh0(Slot slot) { return slot == Slot::OUT_DIFF_SH0 || slot == Slot::OUT_SPEC_SH0; }
@@ -189,7 +192,7 @@ double worstBesideBroken(Runner& runner, nrd::Denoiser denoiser, const Option& w
 
 TEST_CASE("RELAX takes radiance to the limit of half floats", "[gpu]")
 {
-    for (const nrd::Denoiser denoiser : kRelaxDenoisers)
+    for (const nrd::Denoiser denoiser : relaxDenoisers())
     {
         Runner runner(denoiser);
         for (const Input& input : kExtremes)
@@ -213,7 +216,7 @@ TEST_CASE("RELAX takes radiance to the limit of half floats", "[gpu]")
 
 TEST_CASE("what is no radiance leaves RELAX's pixels with a history as they would be without it", "[gpu]")
 {
-    for (const nrd::Denoiser denoiser : kRelaxDenoisers)
+    for (const nrd::Denoiser denoiser : relaxDenoisers())
     {
         const bool isDiffuse = denoiser == nrd::Denoiser::RELAX_DIFFUSE || denoiser == nrd::Denoiser::RELAX_DIFFUSE_SH;
         Runner runner(denoiser);
@@ -231,7 +234,7 @@ TEST_CASE("what is no radiance leaves RELAX's mirrors as they would be without i
 
 TEST_CASE("what is no radiance from the first frame on never reaches RELAX's outputs", "[gpu]")
 {
-    for (const nrd::Denoiser denoiser : kRelaxDenoisers)
+    for (const nrd::Denoiser denoiser : relaxDenoisers())
     {
         Runner runner(denoiser);
         for (const Option& way : kWays)
@@ -249,7 +252,7 @@ TEST_CASE("what is no radiance from the first frame on never reaches RELAX's out
 
 TEST_CASE("negative radiance counts as none to RELAX", "[gpu]")
 {
-    for (const nrd::Denoiser denoiser : kRelaxDenoisers)
+    for (const nrd::Denoiser denoiser : relaxDenoisers())
     {
         Runner runner(denoiser);
         const auto run = [&](float bad)
@@ -268,7 +271,7 @@ TEST_CASE("negative radiance counts as none to RELAX", "[gpu]")
 
 TEST_CASE("a constant stays constant in RELAX", "[gpu]")
 {
-    for (const nrd::Denoiser denoiser : kRelaxDenoisers)
+    for (const nrd::Denoiser denoiser : relaxDenoisers())
     {
         Runner runner(denoiser);
         for (const float value : {1e-3f, 1.0f, 250.0f, 4e4f})

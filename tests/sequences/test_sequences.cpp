@@ -93,11 +93,13 @@ bool isSupported(const std::string& denoiser)
 bool isMoving(const Row& row) { return row.capture == "cornell-pan" || row.capture == "roughness-ladder"; }
 
 // Denoisers of both lobes run the code of those of one, and the moving sequences ask more than the still ones. The
-// short form has every sequence, and every kind of signal on one of them.
+// short form has the denoisers of both lobes on those and on one still one, and every kind of signal on one of them.
 bool isInForm(const Row& row)
 {
-    if (test::isLong() || row.denoiser.ends_with("DIFFUSE_SPECULAR") || row.denoiser.starts_with("SIGMA")) return true;
-    if (test::isMiddle()) return isMoving(row);
+    if (test::isLong()) return true;
+    const bool isMain = row.denoiser.ends_with("DIFFUSE_SPECULAR") || row.denoiser.starts_with("SIGMA");
+    if (test::isMiddle()) return isMain || isMoving(row);
+    if (isMain && (isMoving(row) || row.capture == "sun-shadow")) return true;
     const bool isOfBoth = row.denoiser.find("DIFFUSE_SPECULAR") != std::string::npos;
     return row.capture == "roughness-ladder" && (isOfBoth || row.denoiser.ends_with("DIRECTIONAL_OCCLUSION"));
 }

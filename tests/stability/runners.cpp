@@ -17,20 +17,10 @@ bool hasSpecular(nrd::Denoiser denoiser)
     return std::string_view(nrd::toString(denoiser)).find("SPECULAR") != std::string_view::npos;
 }
 
-bool isWidest(nrd::Denoiser denoiser)
-{
-    using D = nrd::Denoiser;
-    for (const D widest :
-         {D::REBLUR_DIFFUSE_SPECULAR_SH, D::REBLUR_DIFFUSE_SPECULAR_OCCLUSION, D::REBLUR_DIFFUSE_DIRECTIONAL_OCCLUSION,
-          D::RELAX_DIFFUSE_SPECULAR_SH, D::SIGMA_SHADOW_TRANSLUCENCY, D::REFERENCE})
-        if (denoiser == widest) return true;
-    return false;
-}
-
 std::vector<nrd::Denoiser> denoisersThat(const Filter& filter)
 {
     std::vector<nrd::Denoiser> denoisers;
-    for (const nrd::Denoiser denoiser : options::allDenoisers())
+    for (const nrd::Denoiser denoiser : options::testedDenoisers())
         if (filter(denoiser)) denoisers.push_back(denoiser);
     return denoisers;
 }

@@ -12,8 +12,7 @@ using Filter = std::function<bool(nrd::Denoiser)>;
 bool isAny(nrd::Denoiser denoiser);
 bool isDenoiser(nrd::Denoiser denoiser); // all but REFERENCE, which averages and filters nothing
 bool hasSpecular(nrd::Denoiser denoiser);
-// Those that run every pass of their family: what has fewer lobes or channels runs the same shaders with fewer.
-bool isWidest(nrd::Denoiser denoiser);
+using options::isWidest;
 
 std::vector<nrd::Denoiser> denoisersThat(const Filter& filter);
 std::vector<nrd::Denoiser> someThat(const Filter& filter); // in the short form only the widest
