@@ -14,7 +14,6 @@ shared vec4 sNormalViewZ[kHalo.y][kHalo.x]; // viewZ: 0 = out of range
 // Half floats: Y and Co, Cg of the input where no pre-pass ran, and the distance to what is reflected, 0 = unknown.
 #define SAMPLE_NUM (HAS_CAP == 1 ? LOBE_NUM : 1) // occlusion has no colour
 shared uvec2 sSamples[SAMPLE_NUM][kHalo.y][kHalo.x];
-const int kSpecularSample = kSpecularChannel * HAS_CAP;
 
 const float kColorPlaneSensitivity = 0.02;
 const float kColorMinCosine = 0.9;
@@ -45,22 +44,31 @@ vec4 readSample(texture2D t, ivec2 pixel)
     return isValid ? value : kBadSample;
 }
 
-// What is out of range was not written.
-void loadSamples(ivec2 local, ivec2 pixel, bool isUsed)
+// viewZ: 0 = out of range.
+vec4 readNormalViewZ(ivec2 pixel)
 {
+    float viewZ = decodeViewZ(texelFetch(gIn_ViewZ, guideTexel(pixel), 0).x);
+    vec3 N = decodeGuide(texelFetch(gIn_NormalRoughness, guideTexel(pixel), 0)).N;
+    return vec4(N, isInRange(viewZ) ? viewZ : 0.0);
+}
+
+// As it is kept for the neighbours. What is out of range was not written.
+uvec2 readPacked(int channel, ivec2 pixel, bool isUsed)
+{
+    vec4 value = vec4(0.0);
 #if HAS_DIFFUSE && HAS_CAP
-    vec4 diffuse = vec4(0.0);
-    if (!kHasPrepass) diffuse = readSample(gIn_Diffuse, pixel);
-    sSamples[0][local.y][local.x] = packSample(isUsed ? diffuse : kBadSample);
+    if (channel == 0 && !kHasPrepass) value = readSample(gIn_Diffuse, pixel);
 #endif
 #if HAS_SPECULAR
-    vec4 specular = vec4(0.0);
-    if (!kHasPrepass && !kIsBounded)
-        specular = readSample(gIn_Specular, pixel);
-    else
-        specular.w = trackingCandidate(pixel);
-    sSamples[kSpecularSample][local.y][local.x] = packSample(isUsed ? specular : kBadSample);
+    if (channel == kSpecularChannel)
+    {
+        if (!kHasPrepass && !kIsBounded)
+            value = readSample(gIn_Specular, pixel);
+        else
+            value.w = trackingCandidate(pixel);
+    }
 #endif
+    return packSample(isUsed ? value : kBadSample);
 }
 
 void loadNeighbourhood(ivec2 group)
@@ -72,18 +80,31 @@ void loadNeighbourhood(ivec2 group)
         int i = min(first + int(gl_LocalInvocationIndex), kNum - 1);
         ivec2 local = ivec2(i % kHalo.x, i / kHalo.x);
         ivec2 pixel = clampToRect(group + local - 1);
-        float viewZ = decodeViewZ(texelFetch(gIn_ViewZ, guideTexel(pixel), 0).x);
-        bool isUsed = isInRange(viewZ);
-        vec3 N = decodeGuide(texelFetch(gIn_NormalRoughness, guideTexel(pixel), 0)).N;
-        sNormalViewZ[local.y][local.x] = vec4(N, isUsed ? viewZ : 0.0);
-        loadSamples(local, pixel, isUsed);
+        vec4 normalViewZ = readNormalViewZ(pixel);
+        sNormalViewZ[local.y][local.x] = normalViewZ;
+        [[unroll]] for (int c = 0; c < SAMPLE_NUM; c++)
+            sSamples[c][local.y][local.x] = readPacked(HAS_CAP == 1 ? c : kSpecularChannel, pixel, normalViewZ.w > 0.0);
     }
 }
 
+// A processor suspends and resumes every invocation at a barrier: it is quicker to read again.
 vec4 neighbour(ivec2 offset)
 {
+    if (kIsSoftware) return readNormalViewZ(clampToRect(ivec2(gl_GlobalInvocationID.xy) + offset));
     ivec2 local = ivec2(gl_LocalInvocationID.xy) + 1 + offset;
     return sNormalViewZ[local.y][local.x];
+}
+
+vec4 neighbourSample(int channel, ivec2 offset)
+{
+    ivec2 local = ivec2(gl_LocalInvocationID.xy) + 1 + offset;
+    uvec2 stored = sSamples[channel * HAS_CAP][local.y][local.x];
+    if (kIsSoftware)
+    {
+        ivec2 pixel = clampToRect(ivec2(gl_GlobalInvocationID.xy) + offset);
+        stored = readPacked(channel, pixel, readNormalViewZ(pixel).w > 0.0);
+    }
+    return vec4(unpackHalf2x16(stored.x), unpackHalf2x16(stored.y));
 }
 
 vec3 meanNormal(vec3 own)
@@ -206,9 +227,7 @@ Signal calmSample(Surface s, Signal signal, int channel, float share, inout bool
     float count = isValid ? 1.0 : 0.0;
     [[unroll]] for (int i = 0; i < 4; i++)
     {
-        ivec2 local = ivec2(gl_LocalInvocationID.xy) + 1 + kNextPixels[i];
-        uvec2 other = sSamples[channel * HAS_CAP][local.y][local.x];
-        vec4 value = vec4(unpackHalf2x16(other.x), unpackHalf2x16(other.y));
+        vec4 value = neighbourSample(channel, kNextPixels[i]);
         bool isNear = !isValid || (s.likeNeighbours & (1u << i)) != 0u; // anything is better than nothing
         float isLike = value.x >= 0.0 && isNear ? 1.0 : 0.0;
         sum += isLike * value;

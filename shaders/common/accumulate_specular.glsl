@@ -10,12 +10,10 @@ const float kNoImageRoughness = 0.85;
 // Nearest reflected surface of the 3x3, world units, 0 = unknown.
 float trackingDistance(Surface s)
 {
-    ivec2 local = ivec2(gl_LocalInvocationID.xy);
     float nearest = 1e30;
     for (int i = 0; i < 9; i++)
     {
-        uvec2 stored = sSamples[kSpecularSample][local.y + i / 3][local.x + i % 3];
-        float candidate = unpackHalf2x16(stored.y).y;
+        float candidate = neighbourSample(kSpecularChannel, ivec2(i % 3, i / 3) - 1).w;
         nearest = candidate > 0.0 ? min(nearest, candidate) : nearest;
     }
     if (nearest == 1e30) return 0.0;

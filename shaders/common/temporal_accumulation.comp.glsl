@@ -121,8 +121,11 @@ void main()
 {
     ivec2 group = ivec2(gl_WorkGroupID.xy) * ivec2(8, 16);
     if (texelFetch(gIn_Tiles, group / TILE_SIZE, 0).x > 0.5) return; // the same for the whole group
-    loadNeighbourhood(group);
-    barrier();
+    if (!kIsSoftware)
+    {
+        loadNeighbourhood(group);
+        barrier();
+    }
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
     if (!isInRect(pixel)) return;
     Surface s = makeSurface(pixel);

@@ -99,9 +99,11 @@ Sums sumRow(int kind, ivec2 middle)
     return sums;
 }
 
-// Has barriers: one kind takes the place of the other.
+// Has barriers: one kind takes the place of the other. A processor suspends and resumes every invocation at each, so
+// there every pixel sums up its rows itself.
 void sumRows(int kind)
 {
+    if (kIsSoftware) return;
     barrier();
     for (int i = int(gl_LocalInvocationIndex); i < 8 * kHalo.y; i += 128)
     {
@@ -114,11 +116,16 @@ void sumRows(int kind)
 }
 
 // Rows first to last, counted from the own one.
-void addRows(inout Sums sums, int first, int last)
+void addRows(inout Sums sums, int kind, int first, int last)
 {
     ivec2 local = ivec2(gl_LocalInvocationID.xy) + ivec2(0, kRadius);
     for (int y = first; y <= last; y++)
-        add(sums, Sums(sMoments[local.y + y][local.x], sCount[local.y + y][local.x]));
+    {
+        if (kIsSoftware)
+            add(sums, sumRow(kind, local + ivec2(kRadius, y)));
+        else
+            add(sums, Sums(sMoments[local.y + y][local.x], sCount[local.y + y][local.x]));
+    }
 }
 
 struct Windows
@@ -132,9 +139,10 @@ Windows sumWindows()
 {
     ivec2 centre = ivec2(gl_LocalInvocationID.xy) + kRadius;
     Windows windows = Windows(kNoSums, kNoSums, kNoSums);
+    if (kIsSoftware) barrier();
     sumRows(kFastRow);
-    addRows(windows.ring, -2, -2);
-    addRows(windows.ring, 2, 2);
+    addRows(windows.ring, kFastRow, -2, -2);
+    addRows(windows.ring, kFastRow, 2, 2);
     for (int y = -1; y <= 1; y++) addPair(windows.ring, centre + ivec2(0, y), 2);
     windows.near = windows.ring;
     for (int y = -1; y <= 1; y++) addPair(windows.near, centre + ivec2(0, y), 1);
@@ -142,7 +150,7 @@ Windows sumWindows()
     add(windows.near, fastAt(centre + ivec2(0, 1)));
 #if IS_BOUNDED == 0
     sumRows(kChangeRow);
-    addRows(windows.change, -2, 2);
+    addRows(windows.change, kChangeRow, -2, 2);
 #endif
     return windows;
 }

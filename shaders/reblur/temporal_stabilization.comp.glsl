@@ -44,16 +44,28 @@ const float kInvalid = -1.0; // lumas are not negative
 
 shared vec2 sLuma[kHalo.y][kHalo.x]; // per lobe
 
+vec2 readLuma(ivec2 pixel)
+{
+    ivec2 inside = clampToRect(pixel);
+    bool isUsed = pixel == inside && isInRange(decodeViewZ(texelFetch(gIn_ViewZ, guideTexel(inside), 0).x));
+    return isUsed ? texelFetch(gIn_BlurLuma, inside, 0).xy : vec2(kInvalid);
+}
+
 void loadLuma(ivec2 group)
 {
     for (int i = int(gl_LocalInvocationIndex); i < kHalo.x * kHalo.y; i += 128)
     {
         ivec2 local = ivec2(i % kHalo.x, i / kHalo.x);
-        ivec2 pixel = group + local - 1;
-        ivec2 inside = clampToRect(pixel);
-        bool isUsed = pixel == inside && isInRange(decodeViewZ(texelFetch(gIn_ViewZ, guideTexel(inside), 0).x));
-        sLuma[local.y][local.x] = isUsed ? texelFetch(gIn_BlurLuma, inside, 0).xy : vec2(kInvalid);
+        sLuma[local.y][local.x] = readLuma(group + local - 1);
     }
+}
+
+// A processor suspends and resumes every invocation at a barrier: it is quicker to read again.
+vec2 lumaAt(ivec2 offset)
+{
+    if (kIsSoftware) return readLuma(ivec2(gl_GlobalInvocationID.xy) + offset);
+    ivec2 local = ivec2(gl_LocalInvocationID.xy) + 1 + offset;
+    return sLuma[local.y][local.x];
 }
 
 struct Box
@@ -64,12 +76,11 @@ struct Box
 
 Box lumaBox(int lobe)
 {
-    ivec2 local = ivec2(gl_LocalInvocationID.xy);
-    float centre = sLuma[local.y + 1][local.x + 1][lobe];
+    float centre = lumaAt(ivec2(0))[lobe];
     float sum = 0.0, sumSquared = 0.0;
     for (int i = 0; i < 9; i++)
     {
-        float value = sLuma[local.y + i / 3][local.x + i % 3][lobe];
+        float value = lumaAt(ivec2(i % 3, i / 3) - 1)[lobe];
         value = value == kInvalid ? centre : value;
         sum += value;
         sumSquared += value * value;
@@ -126,7 +137,7 @@ void main()
 {
     ivec2 group = ivec2(gl_WorkGroupID.xy) * ivec2(8, 16);
     if (texelFetch(gIn_Tiles, group / TILE_SIZE, 0).x > 0.5) return; // the same for the whole group
-    if (kHasStabilization)
+    if (kHasStabilization && !kIsSoftware)
     {
         loadLuma(group);
         barrier();
