@@ -47,7 +47,7 @@ struct CommonSettings
     uint32_t historyFixAlternatePixelStrideMaterialID = 999;
     float strandThickness = 80e-6f; // > 0 metres
 
-    float splitScreen = 0.0f; // [0; 1], left part shows the input, 1 = only that
+    float splitScreen = 0.0f; // [0; 1], left part shows the input, 1 = only that; REFERENCE leaves that part alone
 
     uint32_t frameIndex = 0; // + 1 per frame
     AccumulationMode accumulationMode = AccumulationMode::CONTINUE;
