@@ -45,11 +45,12 @@ vec4 readSample(texture2D t, ivec2 pixel)
 }
 
 // viewZ: 0 = out of range.
-vec4 readNormalViewZ(ivec2 pixel)
+vec4 readNormalViewZ(ivec2 pixel, out bool isUsed)
 {
     float viewZ = decodeViewZ(texelFetch(gIn_ViewZ, guideTexel(pixel), 0).x);
+    isUsed = isInRange(viewZ);
     vec3 N = decodeGuide(texelFetch(gIn_NormalRoughness, guideTexel(pixel), 0)).N;
-    return vec4(N, isInRange(viewZ) ? viewZ : 0.0);
+    return vec4(N, isUsed ? viewZ : 0.0);
 }
 
 // As it is kept for the neighbours. What is out of range was not written.
@@ -80,17 +81,18 @@ void loadNeighbourhood(ivec2 group)
         int i = min(first + int(gl_LocalInvocationIndex), kNum - 1);
         ivec2 local = ivec2(i % kHalo.x, i / kHalo.x);
         ivec2 pixel = clampToRect(group + local - 1);
-        vec4 normalViewZ = readNormalViewZ(pixel);
-        sNormalViewZ[local.y][local.x] = normalViewZ;
+        bool isUsed;
+        sNormalViewZ[local.y][local.x] = readNormalViewZ(pixel, isUsed);
         [[unroll]] for (int c = 0; c < SAMPLE_NUM; c++)
-            sSamples[c][local.y][local.x] = readPacked(HAS_CAP == 1 ? c : kSpecularChannel, pixel, normalViewZ.w > 0.0);
+            sSamples[c][local.y][local.x] = readPacked(HAS_CAP == 1 ? c : kSpecularChannel, pixel, isUsed);
     }
 }
 
 // A processor suspends and resumes every invocation at a barrier: it is quicker to read again.
 vec4 neighbour(ivec2 offset)
 {
-    if (kIsSoftware) return readNormalViewZ(clampToRect(ivec2(gl_GlobalInvocationID.xy) + offset));
+    bool isUsed;
+    if (kIsSoftware) return readNormalViewZ(clampToRect(ivec2(gl_GlobalInvocationID.xy) + offset), isUsed);
     ivec2 local = ivec2(gl_LocalInvocationID.xy) + 1 + offset;
     return sNormalViewZ[local.y][local.x];
 }
@@ -102,7 +104,9 @@ vec4 neighbourSample(int channel, ivec2 offset)
     if (kIsSoftware)
     {
         ivec2 pixel = clampToRect(ivec2(gl_GlobalInvocationID.xy) + offset);
-        stored = readPacked(channel, pixel, readNormalViewZ(pixel).w > 0.0);
+        bool isUsed;
+        readNormalViewZ(pixel, isUsed);
+        stored = readPacked(channel, pixel, isUsed);
     }
     return vec4(unpackHalf2x16(stored.x), unpackHalf2x16(stored.y));
 }
