@@ -9,7 +9,7 @@ cd "$(dirname "$0")/.."
 tests=()
 case "${1:-}" in
     "") ;;
-    --middle) export NRD_TEST_MIDDLE=1; tests=(-L middle) ;;
+    --middle) export NRD_TEST_MIDDLE=1 TIMEOUT=${TIMEOUT:-2400}; tests=(-L middle) ;;
     --long) export NRD_TEST_LONG=1 TIMEOUT=${TIMEOUT:-14400} ;;
     *) echo "usage: $0 [--middle|--long]" >&2; exit 2 ;;
 esac
