@@ -71,6 +71,8 @@ Stops makeStops(Pixel p, Lobe lobe, bool isSpecular, float n, float confidence, 
     stops.plane = 1.0 / (g.relaxDepthThreshold * p.viewZ);
     stops.maxLuma = isSpecular ? g.relaxMaxLumaStop.y : g.relaxMaxLumaStop.x;
     stops.relax = isSpecular && kStep <= 2 ? mix(1.0, confidence, g.relaxEdgeRelaxation.x) : 1.0;
+    // Nor is a difference of few samples an edge: what filled them in would stand out as a lattice.
+    stops.relax *= mix(0.1, 1.0, settled);
     stops.relax *= 1.0 - saturate(doubt * g.relaxDoubt.y);
     stops.luma = 0.0;
     return stops;
