@@ -96,7 +96,7 @@ EdgeStops edgeStops(const StopSettings& s, const StopInput& in)
     stops.plane = 1.0 / (s.depthThreshold * in.viewZ);
     stops.maxLuma = s.maxLuma;
     stops.relax = in.isSpecular && in.step <= 2 ? lerp(1.0, in.confidence, s.lumaRelaxation) : 1.0;
-    stops.relax *= 1.0 - saturated(in.doubt * s.lumaDoubt);
+    stops.relax *= lerp(0.1, 1.0, settled) * (1.0 - saturated(in.doubt * s.lumaDoubt));
     return stops;
 }
 
