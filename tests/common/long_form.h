@@ -1,5 +1,6 @@
 // How much a test does, by the environment: the short form; the middle one of every landing, with NRD_TEST_MIDDLE; or
-// all, with NRD_TEST_LONG. Suites with a middle form have the label "middle".
+// all, with NRD_TEST_LONG. Suites with a middle form have the label "middle", those that the short form leaves out have
+// the label "landing".
 #pragma once
 #include <cstdlib>
 
