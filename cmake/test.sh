@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # Builds the project and runs its tests on any Vulkan device, lavapipe if there is no other.
 # Closes with "N passed, N failed", and the number of skipped tests if test data is missing.
-# With --long every suite runs its long form (NRD_TEST_LONG=1 in the environment of the tests). With --middle only those
-# run that have a form between (NRD_TEST_MIDDLE=1) or take too long for the short one: what the landing check runs besides.
+# With --long every suite runs its long form (NRD_TEST_LONG=1 in the environment of the tests). With --middle those run
+# that have a form between (NRD_TEST_MIDDLE=1) or take too long for the short one: what the landing check runs besides.
 # BUILD_DIR, NRD_TEST_DATA and JOBS may be set in the environment.
 set -euo pipefail
 cd "$(dirname "$0")/.."
