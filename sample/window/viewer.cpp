@@ -211,9 +211,10 @@ void Viewer::startDenoisers()
 bool Viewer::advance(double seconds)
 {
     m_wasRefused = false;
+    const bool isStart = awaitsDenoisers();
     try
     {
-        if (awaitsDenoisers()) startDenoisers();
+        if (isStart) startDenoisers();
         followTracer();
         followLights();
         followSides();
@@ -225,6 +226,7 @@ bool Viewer::advance(double seconds)
         m_wasRefused = true;
         state.sides = m_applied.sides; // what was refused changed nothing
         state.isCompared = m_applied.isCompared;
+        if (isStart) startDenoisers(); // throws if it was not the change that could not be had
         followSides();
     }
     m_applied = state;

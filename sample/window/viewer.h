@@ -34,7 +34,8 @@ public:
            FirstPicture first = FirstPicture::Denoised);
 
     /// Follows the state, renders a frame unless paused, and adds to the reference. True if there is a new frame.
-    /// What the state asks and cannot be had is undone in it, with a message. `seconds`: since the last call.
+    /// What the state asks and cannot be had is undone in it, with a message. `seconds`: since the last call. Throws as
+    /// the constructor where the denoisers that wait for the second picture cannot be made.
     bool advance(double seconds);
     /// The next picture is the first one denoised.
     bool awaitsDenoisers() const { return m_isNoisyFirst && m_frameCount > 0; }
