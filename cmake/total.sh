@@ -12,8 +12,10 @@ for command in "$@"; do
     status=${PIPESTATUS[0]}
     counts=$(tail -n 1 "$log" | sed -nE 's/^([0-9]+) passed, ([0-9]+) failed(, ([0-9]+) skipped)?$/\1 \2 \4/p')
     read -r p f s <<< "$counts"
-    if [ "$status" -ne 0 ] && [ "${f:-0}" -eq 0 ]; then f=1; fi
-    if [ "$status" -ne 0 ]; then { echo "FAILED: $command"; tail -n 60 "$log"; } >> "$failures"; fi
+    if [ "$status" -ne 0 ]; then
+        [ "${f:-0}" -gt 0 ] || f=1
+        { echo "FAILED: $command"; tail -n 60 "$log"; } >> "$failures"
+    fi
     passed=$((passed + ${p:-0})) failed=$((failed + ${f:-0})) skipped=$((skipped + ${s:-0}))
 done
 cat "$failures"
