@@ -116,15 +116,23 @@ vec3 meanNormal(vec3 own)
     return 0.25 * (neighbour(ivec2(-1, -1)).xyz + neighbour(ivec2(0, -1)).xyz + neighbour(ivec2(-1, 0)).xyz + own);
 }
 
-const ivec2 kNextPixels[4] = ivec2[](ivec2(-1, 0), ivec2(1, 0), ivec2(0, -1), ivec2(0, 1));
+// RELAX, whose wavelet calms colour too, asks those beside and above by turns.
+const int kNextNum = kIsRelax ? 2 : 4;
+
+ivec2 nextPixel(int i)
+{
+    uint axis = kIsRelax ? g.frameIndex & 1u : uint(i >> 1);
+    int side = 2 * (i & 1) - 1;
+    return axis == 0u ? ivec2(side, 0) : ivec2(0, side);
+}
 
 // One bit for each of the next pixels that shows the same surface.
 uint findLikeNeighbours(Surface s)
 {
     uint bits = 0u;
-    [[unroll]] for (int i = 0; i < 4; i++)
+    [[unroll]] for (int i = 0; i < kNextNum; i++)
     {
-        vec4 other = neighbour(kNextPixels[i]);
+        vec4 other = neighbour(nextPixel(i));
         bool isLike = other.w > 0.0 && abs(other.w - s.viewZ) * s.NoV < kColorPlaneSensitivity * s.frustumSize &&
                       dot(other.xyz, s.guide.N) > kColorMinCosine;
         bits |= isLike ? 1u << i : 0u;
@@ -137,12 +145,14 @@ Surface makeSurface(ivec2 pixel)
     Surface s;
     s.pixel = pixel;
     s.uv = pixelUv(pixel);
-    s.viewZ = decodeViewZ(texelFetch(gIn_ViewZ, guideTexel(pixel), 0).x);
+    vec4 own = neighbour(ivec2(0));
+    s.viewZ = own.w;
     s.pixelSize = getPixelSize(s.viewZ);
     s.frustumSize = getFrustumSize(s.viewZ);
     s.X = rotate(g.viewToWorld, reconstructViewPosition(s.uv, g.frustum, s.viewZ, g.cameraDelta.w));
     s.V = viewDirection(s.X);
     s.guide = decodeGuide(texelFetch(gIn_NormalRoughness, guideTexel(pixel), 0));
+    s.guide.N = own.xyz;
     s.NoV = abs(dot(s.guide.N, s.V));
     s.meanN = meanNormal(s.guide.N);
     s.likeNeighbours = kHasPrepass || kIsBounded ? 0u : findLikeNeighbours(s);
@@ -229,9 +239,9 @@ Signal calmSample(Surface s, Signal signal, int channel, float share, inout bool
 {
     vec4 sum = signal.value; // 0 if it is not valid
     float count = isValid ? 1.0 : 0.0;
-    [[unroll]] for (int i = 0; i < 4; i++)
+    [[unroll]] for (int i = 0; i < kNextNum; i++)
     {
-        vec4 value = neighbourSample(channel, kNextPixels[i]);
+        vec4 value = neighbourSample(channel, nextPixel(i));
         bool isNear = !isValid || (s.likeNeighbours & (1u << i)) != 0u; // anything is better than nothing
         float isLike = value.x >= 0.0 && isNear ? 1.0 : 0.0;
         sum += isLike * value;
@@ -248,11 +258,23 @@ Signal calmSample(Surface s, Signal signal, int channel, float share, inout bool
 }
 
 // Read alone: the rest of the sample would take registers long before it is needed. 0 = unknown.
-float readHitDist(texture2D t, ivec2 pixel)
+float readHitDist(texture2D t, int channel, ivec2 pixel)
 {
+    if (!kHasPrepass && !kIsBounded) return neighbourSample(channel, ivec2(0)).w;
     vec4 stored = texelFetch(t, pixel, 0);
     bool isValid;
     return kHasPrepass ? max(decodeValue(stored).w, 0.0) : sanitize(stored, isValid).w;
+}
+
+// Without a pre-pass.
+Signal readOwnSample(texture2D t, texture2D second, ivec2 pixel, int channel, out bool isValid)
+{
+    // What the neighbours keep of it spares a conversion, but that takes longer than a read where both are short.
+    if (!kIsRelax && !kIsSh) return readInput(t, second, pixel, isValid);
+    vec4 value = neighbourSample(channel, ivec2(0));
+    isValid = value.x >= 0.0;
+    if (!isValid) value = vec4(0.0);
+    return Signal(value, kIsSh ? sanitizeAxis(texelFetch(second, pixel, 0).xyz, value.x) : vec3(0.0));
 }
 
 // The pre-pass has made sure that everything is finite.
@@ -260,7 +282,7 @@ Signal readAccumulated(texture2D t, texture2D second, Surface s, int channel, fl
 {
     if (!kHasPrepass)
     {
-        Signal signal = readInput(t, second, s.pixel, isValid);
+        Signal signal = readOwnSample(t, second, s.pixel, channel, isValid);
         if (!kIsBounded) signal = calmSample(s, signal, channel, calmShare, isValid);
         return capLuma(signal, readCap(s.pixel)[channel]);
     }

@@ -5,7 +5,7 @@
 
 const float kCurvaturePlaneSensitivity = 0.04;
 // Rougher lobes are so wide that what they show moves with the surface; half of this pass is spared.
-const float kNoImageRoughness = 0.85;
+const float kNoImageRoughness = 0.7;
 
 // Nearest reflected surface of the 3x3, world units, 0 = unknown.
 float trackingDistance(Surface s)
@@ -202,7 +202,7 @@ LobeResult accumulateSpecular(Surface s, SurfaceTrack surface)
 {
     LobeResult result;
     float hitDist = trackingDistance(s);
-    float normHitDist = readHitDist(gIn_Specular, s.pixel);
+    float normHitDist = readHitDist(gIn_Specular, kSpecularChannel, s.pixel);
     Reflection reflection = readReflection(s, normHitDist, hitDist);
     storeTrack(s.pixel, hitDist, reflection);
     float motion = saturate(length((surface.uv - s.uv) * g.rectSize) / 0.25);

@@ -15,7 +15,6 @@ const float kLateSpreadScale = 24.0;
 const float kSpreadFrameNum = 32.0;
 const float kFewSamples = 8.0; // say nothing of what is normal
 const float kNoCap = NRD_FP16_MAX; // as it is stored
-const float kNoLuma = -1.0;
 // The share with which whatever is brighter counts in the statistics, or they would never leave black.
 const float kCapGrowth = 1.0 / 256.0;
 

@@ -15,6 +15,8 @@ struct Signal
 // Stored as hit distance where not a single finite sample was found.
 const float kNoSample = -1.0;
 
+const float kNoLuma = -1.0; // lumas are not negative
+
 const Signal kNoSignal = Signal(vec4(0.0), vec3(0.0));
 
 float luma(Signal s) { return kIsDirectional ? s.value.w : s.value.x; }

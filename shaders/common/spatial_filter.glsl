@@ -131,10 +131,10 @@ Tap readTap(texture2D viewZs, texture2D normals, Pixel p, Lobe lobe, bool isSpec
                       isSameMaterial(p.guide.materialID, tap.guide.materialID, lobe.minMaterial);
     // A folded tap keeps weight 1: at borders it stands for several that are missing.
     if (mayFold && given.position != place.position) gaussian = 1.0;
-    tap.weight = isAccepted ? gaussian : 0.0;
-    tap.weight *= soft(angleBetween(p.guide.N, tap.guide.N) * w.normal);
-    tap.weight *= soft(planeDistance(p.plane, tap.position, tap.viewZ));
-    if (isSpecular) tap.weight *= soft(abs(tap.guide.roughness - p.guide.roughness) * w.roughness);
+    float root = softRoot(squaredAngleBetween(p.guide.N, tap.guide.N) * square(w.normal));
+    root *= softRoot(square(planeDistance(p.plane, tap.position, tap.viewZ)));
+    if (isSpecular) root *= softRoot(square((tap.guide.roughness - p.guide.roughness) * w.roughness));
+    tap.weight = isAccepted ? gaussian * square(root) : 0.0;
     return tap;
 }
 

@@ -60,17 +60,27 @@ float disocclusionDistance(Surface s, float parallax)
     return s.frustumSize * saturate(s.disocclusionThreshold / max(0.05, cosine));
 }
 
-vec4 gatherPrevViewZ(ivec2 texel)
+// As stored: of either sign, without the scale.
+vec4 gatherPrevStored(ivec2 texel)
 {
     vec2 uv = (vec2(texel) + 1.0) * g.resourceSizeInvPrev;
-    vec4 z = gatherOrder(textureGather(sampler2D(gIn_PrevViewZ, gNearestClamp), uv));
-    return max(abs(z * g.viewZScale), vec4(1e-4));
+    return gatherOrder(textureGather(sampler2D(gIn_PrevViewZ, gNearestClamp), uv));
 }
 
-vec4 testDepths(vec4 depths, float expected, float threshold)
+vec4 gatherPrevViewZ(ivec2 texel) { return max(abs(gatherPrevStored(texel) * g.viewZScale), vec4(1e-4)); }
+
+// Of what is stored, lowest and highest: within a threshold of what is expected, and in range.
+vec2 depthBounds(float expected, float threshold)
 {
-    vec4 isClose = vec4(lessThanEqual(abs(depths - expected), vec4(threshold)));
-    return isClose * vec4(lessThan(depths, vec4(g.denoisingRange)));
+    float farthest = g.denoisingRange * (1.0 - 1e-7);
+    return vec2(expected - threshold, min(expected + threshold, farthest)) / g.viewZScale;
+}
+
+// 1 = between the bounds. 0 for NaN.
+vec4 testDepths(vec4 stored, vec2 bounds)
+{
+    vec4 depths = abs(stored);
+    return vec4(greaterThanEqual(depths, bounds.xxxx)) * vec4(lessThanEqual(depths, bounds.yyyy));
 }
 
 // Twelve texels in four quadrants, each tied to its inner texel of the 2x2 footprint by normal and material.
@@ -82,6 +92,8 @@ void testSurface(Surface s, inout SurfaceTrack track)
     // Without motion a little back-facing noise is tolerated.
     float minCosine = 0.01745 - 0.25 * ramp(0.25, 0.0, track.parallaxMax);
     uint minMaterial = min(g.minMaterialForDiffuse, g.minMaterialForSpecular);
+    const vec2 kNoDepth = vec2(1.0, 0.0);
+    vec2 bounds = depthBounds(viewZPrev, threshold - kEps); // -eps: a zeroed threshold rejects even equality
     vec4 inside = footprintInside(origin, lastPrevTexel());
     vec4 NoN, quadrantSum;
     for (int i = 0; i < 4; i++)
@@ -94,9 +106,7 @@ void testSurface(Surface s, inout SurfaceTrack track)
         float cosine = max(NoN[i], dot(other.N, s.guide.N));
         bool isAccepted = inside[i] > 0.0 && cosine > minCosine &&
                           isSameMaterial(s.guide.materialID, other.materialID, minMaterial);
-        // -eps: a zeroed threshold rejects even equality.
-        vec4 passed = testDepths(gatherPrevViewZ(origin - 1 + 2 * quadrant), viewZPrev,
-                                 (isAccepted ? threshold : 0.0) - kEps);
+        vec4 passed = testDepths(gatherPrevStored(origin - 1 + 2 * quadrant), isAccepted ? bounds : kNoDepth);
         track.valid[i] = passed[3 - i];
         quadrantSum[i] = dot(passed, vec4(1.0)) - passed[i];
     }

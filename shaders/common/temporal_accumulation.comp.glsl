@@ -127,9 +127,8 @@ void main()
         barrier();
     }
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
-    if (!isInRect(pixel)) return;
+    if (!isInRect(pixel) || neighbour(ivec2(0)).w == 0.0) return;
     Surface s = makeSurface(pixel);
-    if (!isInRange(s.viewZ)) return;
     SurfaceTrack surface = trackSurface(s, readMotion(gIn_Motion, gIn_ViewZ, pixel));
     LobeResult diffuse = LobeResult(0.0, 0.0, 0.0, 0.0, 0.0), specular = diffuse;
 #if HAS_SPECULAR

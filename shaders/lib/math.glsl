@@ -20,8 +20,14 @@ float smooth01(float x)
     return t * t * (3.0 - 2.0 * t);
 }
 
-// Compact falloff for noise-free guides: 1 at 0, exactly 0 from 1 on.
-float soft(float x) { return smooth01(1.0 - x); }
+// Compact falloff for noise-free guides: 1 at 0, exactly 0 from 1 on. Of a square, so that distances need no root; the
+// product of several takes one square, of the product of their roots.
+float softRoot(float xx) { return saturate(1.0 - xx); }
+float soft(float x)
+{
+    float root = softRoot(x * x);
+    return root * root;
+}
 
 // Long-tailed falloff for noisy quantities, a rational stand-in for exp(-3x): never 0, so no tap set starves.
 float heavy(float x) { return 1.0 / (1.0 + 3.0 * x + 9.0 * x * x); }
@@ -29,6 +35,11 @@ float heavy(float x) { return 1.0 / (1.0 + 3.0 * x + 9.0 * x * x); }
 // Between unit vectors, by the chord: within 1 % up to 28 degrees. From a cosine it would be a difference of numbers
 // near 1, which takes equal normals for 5e-4 radians apart, a sixth of what a mirror allows.
 float angleBetween(vec3 a, vec3 b) { return distance(a, b); }
+float squaredAngleBetween(vec3 a, vec3 b)
+{
+    vec3 turn = a - b;
+    return dot(turn, turn);
+}
 
 float square(float x) { return x * x; }
 
@@ -44,9 +55,13 @@ float angleOf(float tangent)
 float roundToHalf(float x)
 {
     float v = clamp(x, -65504.0, 65504.0);
-    if (abs(v) < 6.1035e-5) return roundEven(v * 16777216.0) * (1.0 / 16777216.0); // subnormal: fixed steps
-    uint bits = floatBitsToUint(v);
-    return uintBitsToFloat((bits + 0xFFFu + ((bits >> 13) & 1u)) & 0xFFFFE000u);
+    // Adding a number whose last bit counts what that of the half float does rounds: 1.5 times 2^13 times its power of
+    // two, or, where the half float is subnormal and its steps are fixed, 1.5 times 1/2.
+    float powerOfTwo = uintBitsToFloat(floatBitsToUint(v) & 0x7F800000u);
+    float last = max(powerOfTwo * 12288.0, 0.75);
+    precise float rounded = v + last;
+    precise float result = rounded - last;
+    return result;
 }
 
 vec4 roundToHalf(vec4 v) { return vec4(roundToHalf(v.x), roundToHalf(v.y), roundToHalf(v.z), roundToHalf(v.w)); }

@@ -5,31 +5,31 @@
 #include "spatial_filter.glsl"
 
 layout(local_size_x = 8, local_size_y = 16) in;
-layout(set = SET_RESOURCES, binding = 0) uniform texture2D gIn_Tiles;
-layout(set = SET_RESOURCES, binding = 1) uniform texture2D gIn_ViewZ;
-layout(set = SET_RESOURCES, binding = 2) uniform texture2D gIn_NormalRoughness;
-layout(set = SET_RESOURCES, binding = 3) uniform texture2D gIn_Length;
-#define FIRST_OUT (4 + SIGNAL_NUM)
+layout(set = SET_RESOURCES, binding = 0) uniform texture2D gIn_ViewZ;
+layout(set = SET_RESOURCES, binding = 1) uniform texture2D gIn_NormalRoughness;
+layout(set = SET_RESOURCES, binding = 2) uniform texture2D gIn_Length;
+#define FIRST_SIGNAL 3
+#define FIRST_OUT (FIRST_SIGNAL + SIGNAL_NUM)
 #define FIRST_RESULT (FIRST_OUT + SIGNAL_NUM)
 #if HAS_DIFFUSE
-layout(set = SET_RESOURCES, binding = 4) uniform texture2D gIn_Diffuse;
+layout(set = SET_RESOURCES, binding = FIRST_SIGNAL) uniform texture2D gIn_Diffuse;
 layout(set = SET_RESOURCES, binding = FIRST_OUT) uniform writeonly image2D gOut_DiffuseBlurred;
 #if IS_STABILIZED == 0
 layout(set = SET_RESOURCES, binding = FIRST_RESULT) uniform writeonly image2D gOut_Diffuse;
 #endif
 #if IS_SH
-layout(set = SET_RESOURCES, binding = 4 + LOBE_NUM) uniform texture2D gIn_DiffuseSh;
+layout(set = SET_RESOURCES, binding = FIRST_SIGNAL + LOBE_NUM) uniform texture2D gIn_DiffuseSh;
 layout(set = SET_RESOURCES, binding = FIRST_OUT + LOBE_NUM) uniform writeonly image2D gOut_DiffuseBlurredSh;
 #endif
 #endif
 #if HAS_SPECULAR
-layout(set = SET_RESOURCES, binding = 3 + LOBE_NUM) uniform texture2D gIn_Specular;
+layout(set = SET_RESOURCES, binding = FIRST_SIGNAL + LOBE_NUM - 1) uniform texture2D gIn_Specular;
 layout(set = SET_RESOURCES, binding = FIRST_OUT + LOBE_NUM - 1) uniform writeonly image2D gOut_SpecularBlurred;
 #if IS_STABILIZED == 0
 layout(set = SET_RESOURCES, binding = FIRST_RESULT + LOBE_NUM - 1) uniform writeonly image2D gOut_Specular;
 #endif
 #if IS_SH
-layout(set = SET_RESOURCES, binding = 3 + 2 * LOBE_NUM) uniform texture2D gIn_SpecularSh;
+layout(set = SET_RESOURCES, binding = FIRST_SIGNAL + 2 * LOBE_NUM - 1) uniform texture2D gIn_SpecularSh;
 layout(set = SET_RESOURCES, binding = FIRST_OUT + 2 * LOBE_NUM - 1) uniform writeonly image2D gOut_SpecularBlurredSh;
 #endif
 #endif
@@ -44,9 +44,15 @@ layout(set = SET_RESOURCES, binding = FIRST_RESULT) uniform writeonly image2D gO
 void main()
 {
     ivec2 position = ivec2(gl_GlobalInvocationID.xy);
-    if (texelFetch(gIn_Tiles, position / TILE_SIZE, 0).x > 0.5 || !isInRect(position)) return;
+    if (!isInRect(position)) return;
     float viewZ = decodeViewZ(texelFetch(gIn_ViewZ, guideTexel(position), 0).x);
-    if (!isInRange(viewZ)) return;
+    if (!isInRange(viewZ))
+    {
+#if IS_STABILIZED
+        imageStore(gOut_BlurLuma, position, vec4(kNoLuma)); // tells the stabilisation what is out of range
+#endif
+        return;
+    }
     Pixel p = makePixel(position, viewZ, decodeGuide(texelFetch(gIn_NormalRoughness, guideTexel(position), 0)));
     vec2 narrowing = adaptedConvergence(gIn_Length, gIn_ViewZ, position);
     Signal diffuse = kNoSignal, specular = kNoSignal;

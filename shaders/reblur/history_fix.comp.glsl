@@ -39,6 +39,15 @@ layout(set = SET_RESOURCES, binding = FIRST_OUT + SIGNAL_NUM + 2) uniform writeo
 #include "fast_history.glsl"
 #include "history_fix.glsl"
 
+float trackingOf(ivec2 position)
+{
+#if HAS_TRACK
+    return abs(texelFetch(gIn_Track, position, 0).x);
+#else
+    return 0.0;
+#endif
+}
+
 void main()
 {
     ivec2 group = ivec2(gl_WorkGroupID.xy) * ivec2(8, 16);
@@ -47,39 +56,41 @@ void main()
     // Copied before any exit: a stale depth in sky would let the next frame accept garbage.
     if (isInRect(position)) imageStore(gOut_PrevViewZ, position, vec4(storedForNext(storedViewZ)));
     if (texelFetch(gIn_Tiles, group / TILE_SIZE, 0).x > 0.5) return; // the same for the whole group
-    loadFast(group);
-    Windows windows = sumWindows();
+    measureWindows(group);
     float viewZ = decodeViewZ(storedViewZ);
     if (!isInRect(position) || !isInRange(viewZ)) return;
     vec4 packedGuide = texelFetch(gIn_NormalRoughness, guideTexel(position), 0);
     imageStore(gOut_PrevNormalRoughness, position, packedGuide);
-    Pixel p = makePixel(position, viewZ, decodeGuide(packedGuide));
+    Guide guide = decodeGuide(packedGuide);
     vec2 n = unpackLengths(texelFetch(gIn_Length, position, 0).xy);
-    vec2 amount = fixAmount(position, n);
     vec2 share = clamp(n / max(g.historyFixFrameNum, 1e-3), 0.0, 1.0);
-    Signal signals[2] = Signal[](kNoSignal, kNoSignal); // by channel
+    vec2 fast = texelFetch(gIn_Fast, position, 0).xy;
+    vec2 amount = vec2(0.0);
+    if (any(lessThan(n, vec2(g.historyFixFrameNum)))) amount = fixAmount(position, n);
 #if HAS_DIFFUSE
-    Lobe diffuse = Lobe(1.0, g.minMaterialForDiffuse, 0.0);
-    signals[0] = fixHistory(gIn_Diffuse, gIn_DiffuseSh, p, diffuse, false, position, n.x, amount.x, 0.0);
+    Signal diffuse = readSignal(gIn_Diffuse, gIn_DiffuseSh, position);
+    if (amount.x > 0.0)
+    {
+        Lobe lobe = Lobe(1.0, g.minMaterialForDiffuse, 0.0);
+        diffuse = fixHistory(gIn_Diffuse, gIn_DiffuseSh, diffuse, makePixel(position, viewZ, guide), lobe, false,
+                             n.x, amount.x, 0.0);
+    }
+    fast.x = boundSignal(diffuse, guide, 0, false, n.x, fast.x, share.x);
+    storeSignal(gOut_Diffuse, gOut_DiffuseSh, position, diffuse);
 #endif
 #if HAS_SPECULAR
-    Lobe specular = Lobe(p.guide.roughness, g.minMaterialForSpecular, 0.0);
-    float tracking = 0.0;
-#if HAS_TRACK
-    tracking = abs(texelFetch(gIn_Track, position, 0).x);
-#endif
-    signals[kSpecularChannel] = fixHistory(gIn_Specular, gIn_SpecularSh, p, specular, true, position,
-                                           n[kSpecularChannel], amount[kSpecularChannel], tracking);
+    const int c = kSpecularChannel;
+    Signal specular = readSignal(gIn_Specular, gIn_SpecularSh, position);
+    if (amount[c] > 0.0)
+    {
+        Lobe lobe = Lobe(guide.roughness, g.minMaterialForSpecular, 0.0);
+        specular = fixHistory(gIn_Specular, gIn_SpecularSh, specular, makePixel(position, viewZ, guide), lobe, true,
+                              n[c], amount[c], trackingOf(position));
+    }
     // Filled-in data is unwanted in the fast history of sharp lobes.
-    share[kSpecularChannel] = mix(1.0, share[kSpecularChannel], NRD_GetLobeSpread(p.guide.roughness, 0.25));
+    share[c] = mix(1.0, share[c], NRD_GetLobeSpread(guide.roughness, 0.25));
+    fast[c] = boundSignal(specular, guide, c, true, n[c], fast[c], share[c]);
+    storeSignal(gOut_Specular, gOut_SpecularSh, position, specular);
 #endif
-    vec2 own = fastAt(ivec2(gl_LocalInvocationID.xy) + kRadius);
-    vec2 fast = clampSignals(signals, p, windows, n, own, share);
     imageStore(gOut_Fast, position, kIsBounded ? vec4(fast, 0.0, 0.0) : roundToHalf(vec4(fast, 0.0, 0.0)));
-#if HAS_DIFFUSE
-    storeSignal(gOut_Diffuse, gOut_DiffuseSh, position, signals[0]);
-#endif
-#if HAS_SPECULAR
-    storeSignal(gOut_Specular, gOut_SpecularSh, position, signals[kSpecularChannel]);
-#endif
 }

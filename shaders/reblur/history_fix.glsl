@@ -28,11 +28,36 @@ float fixTapWeight(Pixel p, Lobe lobe, bool isSpecular, ivec2 pixel, Weights w)
     return isUsed ? weight : 0.0;
 }
 
+// What a tap is compared with.
+struct Fix
+{
+    Pixel p;
+    Lobe lobe;
+    bool isSpecular;
+    Weights w;
+    float hitDist; // normalised
+    int step;
+    Signal sum;
+    float weightSum;
+};
+
 // 5x5 grid without corners and centre; taps that already have history count for more.
-Signal fixHistory(texture2D t, texture2D second, Pixel p, Lobe lobe, bool isSpecular, ivec2 position, float n,
+void addFixTap(inout Fix f, texture2D t, texture2D second, ivec2 offset)
+{
+    bool isTap = offset.x * offset.x + offset.y * offset.y != 8 && offset != ivec2(0);
+    ivec2 pixel = mirrorPixel(ivec2(f.p.position) + offset * f.step);
+    float weight = fixTapWeight(f.p, f.lobe, f.isSpecular, pixel, f.w);
+    Signal value = readSignal(t, second, pixel);
+    weight *= heavy(abs(value.value.w - f.hitDist) * f.w.hitDist);
+    vec2 n = unpackLengths(texelFetch(gIn_Length, pixel, 0).xy);
+    weight *= isTap ? 1.0 + n[f.isSpecular ? kSpecularChannel : 0] : 0.0;
+    f.sum = addWeighted(f.sum, value, weight);
+    f.weightSum += weight > 0.0 ? weight : 0.0; // not NaN
+}
+
+Signal fixHistory(texture2D t, texture2D second, Signal centre, Pixel p, Lobe lobe, bool isSpecular, float n,
                   float amount, float tracking)
 {
-    Signal centre = readSignal(t, second, position);
     float alpha = newSampleWeight(n);
     float spread = NRD_GetLobeSpread(lobe.roughness, 0.25);
     float hitDist = getHitDist(centre.value.w, p.viewZ, lobe.roughness);
@@ -49,24 +74,19 @@ Signal fixHistory(texture2D t, texture2D second, Pixel p, Lobe lobe, bool isSpec
     Weights w = makeWeights(p, lobe, isSpecular, alpha, 1.0, 0.0);
     float m = square(lobe.roughness);
     w.roughness = 1.0 / mix(0.01, 1.0, mix(m * m, m, saturate(sqrt(g.roughnessFraction))));
-    Signal sum = scaled(centre, 1.0 + n);
-    float weightSum = 1.0 + n;
-    int channel = isSpecular ? kSpecularChannel : 0;
-    // Row by row, without a branch round a read, so that those of a row are under way at once.
-    [[dont_unroll]] for (int y = -2; y <= 2; y++)
-    [[unroll]] for (int x = -2; x <= 2; x++)
+    Fix f = Fix(p, lobe, isSpecular, w, reference, step, scaled(centre, 1.0 + n), 1.0 + n);
+    if (kIsSoftware)
     {
-        ivec2 offset = ivec2(x, y);
-        bool isTap = x * x + y * y != 8 && offset != ivec2(0);
-        ivec2 pixel = mirrorPixel(position + offset * step);
-        float weight = fixTapWeight(p, lobe, isSpecular, pixel, w);
-        Signal value = readSignal(t, second, pixel);
-        weight *= heavy(abs(value.value.w - reference) * w.hitDist);
-        weight *= isTap ? 1.0 + unpackLengths(texelFetch(gIn_Length, pixel, 0).xy)[channel] : 0.0;
-        sum = addWeighted(sum, value, weight);
-        weightSum += weight > 0.0 ? weight : 0.0; // not NaN
+        // A processor runs through the body of a loop once even where there is nothing to fix.
+        [[dont_unroll]] for (int i = 0; i < 25; i++) addFixTap(f, t, second, ivec2(i % 5, i / 5) - 2);
     }
-    return scaled(sum, 1.0 / weightSum);
+    else
+    {
+        // Row by row, without a branch round a read, so that those of a row are under way at once.
+        [[dont_unroll]] for (int y = -2; y <= 2; y++)
+        [[unroll]] for (int x = -2; x <= 2; x++) addFixTap(f, t, second, ivec2(x, y));
+    }
+    return scaled(f.sum, 1.0 / f.weightSum);
 }
 
 #endif

@@ -7,30 +7,30 @@
 
 layout(local_size_x = 8, local_size_y = 16) in;
 layout(set = SET_RESOURCES, binding = 0) uniform texture2D gIn_Tiles;
-layout(set = SET_RESOURCES, binding = 1) uniform texture2D gIn_ViewZ;
-layout(set = SET_RESOURCES, binding = 2) uniform texture2D gIn_Length;
-layout(set = SET_RESOURCES, binding = 3) uniform texture2D gIn_StabHistory;
-layout(set = SET_RESOURCES, binding = 4) uniform texture2D gIn_StabWeight;
-layout(set = SET_RESOURCES, binding = 5) uniform texture2D gIn_BlurLuma;
-#define FIRST_OUT (6 + SIGNAL_NUM + HAS_SPECULAR)
+layout(set = SET_RESOURCES, binding = 1) uniform texture2D gIn_Length;
+layout(set = SET_RESOURCES, binding = 2) uniform texture2D gIn_StabHistory;
+layout(set = SET_RESOURCES, binding = 3) uniform texture2D gIn_StabWeight;
+layout(set = SET_RESOURCES, binding = 4) uniform texture2D gIn_BlurLuma;
+#define FIRST_SIGNAL 5
+#define FIRST_OUT (FIRST_SIGNAL + SIGNAL_NUM + HAS_SPECULAR)
 #define FIRST_HISTORY (FIRST_OUT + SIGNAL_NUM)
 #if HAS_DIFFUSE
-layout(set = SET_RESOURCES, binding = 6) uniform texture2D gIn_Diffuse;
+layout(set = SET_RESOURCES, binding = FIRST_SIGNAL) uniform texture2D gIn_Diffuse;
 layout(set = SET_RESOURCES, binding = FIRST_OUT) uniform writeonly image2D gOut_Diffuse;
 layout(set = SET_RESOURCES, binding = FIRST_HISTORY) uniform writeonly image2D gOut_DiffuseHistory;
 #if IS_SH
-layout(set = SET_RESOURCES, binding = 6 + LOBE_NUM) uniform texture2D gIn_DiffuseSh;
+layout(set = SET_RESOURCES, binding = FIRST_SIGNAL + LOBE_NUM) uniform texture2D gIn_DiffuseSh;
 layout(set = SET_RESOURCES, binding = FIRST_OUT + LOBE_NUM) uniform writeonly image2D gOut_DiffuseSh;
 layout(set = SET_RESOURCES, binding = FIRST_HISTORY + LOBE_NUM) uniform writeonly image2D gOut_DiffuseHistorySh;
 #endif
 #endif
 #if HAS_SPECULAR
-layout(set = SET_RESOURCES, binding = 5 + LOBE_NUM) uniform texture2D gIn_Specular;
-layout(set = SET_RESOURCES, binding = 6 + SIGNAL_NUM) uniform texture2D gIn_NormalRoughness;
+layout(set = SET_RESOURCES, binding = FIRST_SIGNAL + LOBE_NUM - 1) uniform texture2D gIn_Specular;
+layout(set = SET_RESOURCES, binding = FIRST_SIGNAL + SIGNAL_NUM) uniform texture2D gIn_NormalRoughness;
 layout(set = SET_RESOURCES, binding = FIRST_OUT + LOBE_NUM - 1) uniform writeonly image2D gOut_Specular;
 layout(set = SET_RESOURCES, binding = FIRST_HISTORY + LOBE_NUM - 1) uniform writeonly image2D gOut_SpecularHistory;
 #if IS_SH
-layout(set = SET_RESOURCES, binding = 5 + 2 * LOBE_NUM) uniform texture2D gIn_SpecularSh;
+layout(set = SET_RESOURCES, binding = FIRST_SIGNAL + 2 * LOBE_NUM - 1) uniform texture2D gIn_SpecularSh;
 layout(set = SET_RESOURCES, binding = FIRST_OUT + 2 * LOBE_NUM - 1) uniform writeonly image2D gOut_SpecularSh;
 layout(set = SET_RESOURCES, binding = FIRST_HISTORY + 2 * LOBE_NUM - 1)
 uniform writeonly image2D gOut_SpecularHistorySh;
@@ -40,15 +40,13 @@ layout(set = SET_RESOURCES, binding = FIRST_HISTORY + SIGNAL_NUM) uniform writeo
 layout(set = SET_RESOURCES, binding = FIRST_HISTORY + SIGNAL_NUM + 1) uniform writeonly uimage2D gOut_PrevLength;
 
 const ivec2 kHalo = ivec2(10, 18);
-const float kInvalid = -1.0; // lumas are not negative
-
 shared vec2 sLuma[kHalo.y][kHalo.x]; // per lobe
 
 vec2 readLuma(ivec2 pixel)
 {
     ivec2 inside = clampToRect(pixel);
-    bool isUsed = pixel == inside && isInRange(decodeViewZ(texelFetch(gIn_ViewZ, guideTexel(inside), 0).x));
-    return isUsed ? texelFetch(gIn_BlurLuma, inside, 0).xy : vec2(kInvalid);
+    vec2 lumas = texelFetch(gIn_BlurLuma, inside, 0).xy;
+    return pixel == inside ? lumas : vec2(kNoLuma);
 }
 
 void loadLuma(ivec2 group)
@@ -81,7 +79,7 @@ Box lumaBox(int lobe)
     for (int i = 0; i < 9; i++)
     {
         float value = lumaAt(ivec2(i % 3, i / 3) - 1)[lobe];
-        value = value == kInvalid ? centre : value;
+        value = value == kNoLuma ? centre : value;
         sum += value;
         sumSquared += value * value;
     }
@@ -144,7 +142,7 @@ void main()
     }
     ivec2 position = ivec2(gl_GlobalInvocationID.xy);
     if (!isInRect(position)) return;
-    if (!isInRange(decodeViewZ(texelFetch(gIn_ViewZ, guideTexel(position), 0).x))) return;
+    if (texelFetch(gIn_BlurLuma, position, 0).x == kNoLuma) return; // out of range
     vec2 n = unpackLengths(texelFetch(gIn_Length, position, 0).xy);
     vec2 history = texelFetch(gIn_StabHistory, position, 0).xy;
     vec2 quality = texelFetch(gIn_StabWeight, position, 0).xy;

@@ -1,5 +1,5 @@
-// One step of the edge-avoiding wavelet (Dammertz et al. 2010), steered by variance (Schied et al. 2017). The first
-// step estimates the variance of short histories from their neighbourhood; the last one writes the outputs.
+// One step of the edge-avoiding wavelet (Dammertz et al. 2010), steered by variance (Schied et al. 2017). The last
+// step writes the outputs.
 #version 460
 #extension GL_EXT_control_flow_attributes : require
 #extension GL_GOOGLE_include_directive : require
@@ -46,92 +46,32 @@ ivec2 tapOffset(int i)
     return kStep % 2 == 0 ? axis : ivec2(axis.x - axis.y, axis.x + axis.y);
 }
 
-// The first step looks at its neighbours' guides twice, for the variance and to filter, so a group decodes them once.
-// Signals, and guides at larger strides, come faster through the texture cache.
-const bool kAreGuidesShared = kStep == 0 && !kIsSoftware;
-const ivec2 kGroup = ivec2(8, 16);
-const int kHalo = 2;
-const ivec2 kArea = kGroup + 2 * kHalo;
-const int kAreaSize = kAreGuidesShared ? kArea.x * kArea.y : 1;
-
-shared vec4 sNormalViewZ[kAreaSize];
-shared vec2 sRoughnessMaterial[kAreaSize];
-
-struct Texel
-{
-    float viewZ;
-    Guide guide;
-};
-
-ivec2 areaCorner() { return ivec2(gl_WorkGroupID.xy) * kGroup - kHalo; }
-
-Texel fetchTexel(ivec2 pixel)
-{
-    return Texel(decodeViewZ(texelFetch(gIn_ViewZ, guideTexel(pixel), 0).x),
-                 decodeGuide(texelFetch(gIn_NormalRoughness, guideTexel(pixel), 0)));
-}
-
-void shareGuides()
-{
-    for (int i = int(gl_LocalInvocationIndex); i < kAreaSize; i += kGroup.x * kGroup.y)
-    {
-        Texel texel = fetchTexel(clampToRect(areaCorner() + ivec2(i % kArea.x, i / kArea.x)));
-        sNormalViewZ[i] = vec4(texel.guide.N, texel.viewZ);
-        sRoughnessMaterial[i] = vec2(texel.guide.roughness, texel.guide.materialID);
-    }
-    barrier();
-}
-
-// Of a pixel in the rectangle.
-Texel texelAt(ivec2 pixel)
-{
-    if (!kAreGuidesShared) return fetchTexel(pixel);
-    ivec2 local = pixel - areaCorner();
-    int i = local.y * kArea.x + local.x;
-    return Texel(sNormalViewZ[i].w, Guide(sNormalViewZ[i].xyz, sRoughnessMaterial[i].x, uint(sRoughnessMaterial[i].y)));
-}
-
 // Variance of what is stored, not of a sample: a mean of n samples has an n-th of it.
 float varianceOf(Signal s) { return s.value.w * square(luma(s)); }
 
+// What is read of the pixels that are mixed in.
+struct Taps
+{
+    Neighbour others[4];
+    float kernels[4];
+};
+
 Neighbour readNeighbour(Pixel p, ivec2 pixel)
 {
-    Texel texel = texelAt(pixel);
-    return makeNeighbour(p, pixel, texel.viewZ, texel.guide);
+    return makeNeighbour(p, pixel, decodeViewZ(texelFetch(gIn_ViewZ, guideTexel(pixel), 0).x),
+                         decodeGuide(texelFetch(gIn_NormalRoughness, guideTexel(pixel), 0)));
 }
 
-// Of the centre; smoothed over 3x3, since a variance of few samples is noise itself.
-float smoothedVariance(texture2D t, ivec2 position)
+// Of the centre; smoothed over the taps, since a variance of few samples is noise itself.
+float smoothedVariance(Signal centre, Signal values[4], Taps taps)
 {
-    float sum = 0.0, weightSum = 0.0;
-    for (int i = 0; i < 9; i++)
+    float sum = varianceOf(centre), count = 1.0;
+    [[unroll]] for (int i = 0; i < 4; i++)
     {
-        ivec2 offset = ivec2(i % 3, i / 3) - 1;
-        ivec2 pixel = clampToRect(position + offset);
-        if (!isInRange(texelAt(pixel).viewZ)) continue;
-        vec4 stored = texelFetch(t, pixel, 0);
-        float weight = 1.0 / float(1 << (abs(offset.x) + abs(offset.y)));
-        sum += stored.w * stored.x * stored.x * weight;
-        weightSum += weight;
+        sum += taps.others[i].isInRange ? varianceOf(values[i]) : 0.0;
+        count += taps.others[i].isInRange ? 1.0 : 0.0;
     }
-    return sum / max(weightSum, kEps);
-}
-
-// Too few frames for a variance over time: one over 5x5 pixels, raised for what so few may miss.
-float spatialVariance(texture2D t, Pixel p, Lobe lobe, bool isSpecular, ivec2 position, Stops stops)
-{
-    float mean = 0.0, square_ = 0.0, weightSum = 0.0;
-    for (int i = 0; i < 25; i++)
-    {
-        ivec2 pixel = clampToRect(position + ivec2(i % 5, i / 5) - 2);
-        float weight = tapWeight(p, lobe, isSpecular, readNeighbour(p, pixel), stops);
-        float Y = weight > 0.0 ? texelFetch(t, pixel, 0).x : 0.0;
-        mean += Y * weight;
-        square_ += Y * Y * weight;
-        weightSum += weight;
-    }
-    mean /= max(weightSum, kEps);
-    return max(square_ / max(weightSum, kEps) - mean * mean, 0.0);
+    return sum / count;
 }
 
 // White noise breaks the ringing that a lattice with gaps leaves.
@@ -163,18 +103,8 @@ struct Filter
     float weightSum;
 };
 
-Filter startFilter(texture2D t, texture2D second, Pixel p, Lobe lobe, bool isSpecular, ivec2 position, float n,
-                   Stops stops)
+Filter startFilter(Signal centre, Lobe lobe, Stops stops, float phi, float variance)
 {
-    Signal centre = readSignal(t, second, position);
-    float variance = varianceOf(centre);
-    if (kStep == 0)
-    {
-        bool isShort = n + 1.0 < g.relaxSpatialVarianceFrameNum;
-        variance = isShort ? spatialVariance(t, p, lobe, isSpecular, position, stops) * max(1.0, 4.0 / (n + 2.0))
-                           : smoothedVariance(t, position);
-    }
-    float phi = isSpecular ? g.relaxPhi.y : g.relaxPhi.x;
     stops.luma = 1.0 / max(phi * sqrt(variance), 1e-4 * luma(centre) + 1e-7);
     float own = kCentreWeight;
     return Filter(lobe, stops, luma(centre), variance, scaled(centre, own), variance * own * own, own);
@@ -199,6 +129,15 @@ Signal finish(Filter f)
     return result;
 }
 
+// values: of the taps. stops: but for luma.
+Signal filterLobe(Signal centre, Signal values[4], Taps taps, Pixel p, Lobe lobe, bool isSpecular, Stops stops)
+{
+    float variance = kStep == 0 ? smoothedVariance(centre, values, taps) : varianceOf(centre);
+    Filter f = startFilter(centre, lobe, stops, isSpecular ? g.relaxPhi.y : g.relaxPhi.x, variance);
+    [[unroll]] for (int i = 0; i < 4; i++) addTap(f, values[i], p, isSpecular, taps.others[i], taps.kernels[i]);
+    return finish(f);
+}
+
 void store(writeonly image2D t, writeonly image2D second, ivec2 position, Signal signal, float n)
 {
     if (kIsLast)
@@ -210,45 +149,42 @@ void store(writeonly image2D t, writeonly image2D second, ivec2 position, Signal
 void main()
 {
     ivec2 position = ivec2(gl_GlobalInvocationID.xy);
-    ivec2 tile = ivec2(gl_WorkGroupID.xy) * kGroup / TILE_SIZE;
-    if (texelFetch(gIn_Tiles, tile, 0).x > 0.5) return; // the same for the whole group
-    if (kAreGuidesShared) shareGuides();
-    if (!isInRect(position)) return;
-    Texel texel = texelAt(position);
-    if (!isInRange(texel.viewZ)) return;
-    Pixel p = makePixel(position, texel.viewZ, texel.guide);
+    if (texelFetch(gIn_Tiles, position / TILE_SIZE, 0).x > 0.5 || !isInRect(position)) return;
+    float viewZ = decodeViewZ(texelFetch(gIn_ViewZ, guideTexel(position), 0).x);
+    if (!isInRange(viewZ)) return;
+    Pixel p = makePixel(position, viewZ, decodeGuide(texelFetch(gIn_NormalRoughness, guideTexel(position), 0)));
     vec2 n = unpackLengths(texelFetch(gIn_Length, position, 0).xy);
-#if HAS_DIFFUSE
-    Lobe diffuseLobe = Lobe(1.0, g.minMaterialForDiffuse, 0.0);
-    Stops diffuseStops = makeStops(p, diffuseLobe, false, n.x, 1.0, doubtOf(gIn_DiffuseConfidence, p.uv));
-    Filter diffuse = startFilter(gIn_Diffuse, gIn_DiffuseSh, p, diffuseLobe, false, position, n.x, diffuseStops);
-#endif
-#if HAS_SPECULAR
-    Lobe specularLobe = Lobe(p.guide.roughness, g.minMaterialForSpecular, 0.0);
-    float nSpecular = n[kSpecularChannel];
-    float confidence = texelFetch(gIn_Confidence, position, 0).x;
-    Stops stops = makeStops(p, specularLobe, true, nSpecular, confidence, doubtOf(gIn_SpecularConfidence, p.uv));
-    Filter specular = startFilter(gIn_Specular, gIn_SpecularSh, p, specularLobe, true, position, nSpecular, stops);
-#endif
+    Taps taps;
+    Signal diffuseTaps[4], specularTaps[4];
     ivec2 shift = jitter(position);
     // Unrolled and without a branch, so that the reads of all taps are under way at once.
     [[unroll]] for (int i = 0; i < 4; i++)
     {
         ivec2 pixel = position + tapOffset(i) * (1 << kStep) + shift;
         ivec2 inside = clampToRect(pixel);
-        float kernel = inside == pixel ? kNeighbourWeight : 0.0;
-        Neighbour other = readNeighbour(p, inside);
+        taps.kernels[i] = inside == pixel ? kNeighbourWeight : 0.0;
+        taps.others[i] = readNeighbour(p, inside);
 #if HAS_DIFFUSE
-        addTap(diffuse, readSignal(gIn_Diffuse, gIn_DiffuseSh, inside), p, false, other, kernel);
+        diffuseTaps[i] = readSignal(gIn_Diffuse, gIn_DiffuseSh, inside);
 #endif
 #if HAS_SPECULAR
-        addTap(specular, readSignal(gIn_Specular, gIn_SpecularSh, inside), p, true, other, kernel);
+        specularTaps[i] = readSignal(gIn_Specular, gIn_SpecularSh, inside);
 #endif
     }
 #if HAS_DIFFUSE
-    store(gOut_Diffuse, gOut_DiffuseSh, position, finish(diffuse), n.x);
+    Lobe diffuseLobe = Lobe(1.0, g.minMaterialForDiffuse, 0.0);
+    Stops diffuseStops = makeStops(p, diffuseLobe, false, n.x, 1.0, doubtOf(gIn_DiffuseConfidence, p.uv));
+    Signal diffuse = readSignal(gIn_Diffuse, gIn_DiffuseSh, position);
+    diffuse = filterLobe(diffuse, diffuseTaps, taps, p, diffuseLobe, false, diffuseStops);
+    store(gOut_Diffuse, gOut_DiffuseSh, position, diffuse, n.x);
 #endif
 #if HAS_SPECULAR
-    store(gOut_Specular, gOut_SpecularSh, position, finish(specular), nSpecular);
+    Lobe specularLobe = Lobe(p.guide.roughness, g.minMaterialForSpecular, 0.0);
+    float nSpecular = n[kSpecularChannel];
+    float confidence = texelFetch(gIn_Confidence, position, 0).x;
+    Stops stops = makeStops(p, specularLobe, true, nSpecular, confidence, doubtOf(gIn_SpecularConfidence, p.uv));
+    Signal specular = readSignal(gIn_Specular, gIn_SpecularSh, position);
+    specular = filterLobe(specular, specularTaps, taps, p, specularLobe, true, stops);
+    store(gOut_Specular, gOut_SpecularSh, position, specular, nSpecular);
 #endif
 }

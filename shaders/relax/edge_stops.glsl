@@ -30,8 +30,7 @@ Neighbour makeNeighbour(Pixel p, ivec2 pixel, float viewZ, Guide guide)
     other.guide = guide;
     other.isInRange = isInRange(viewZ);
     other.distance = abs(dot(p.Nv, Xv - p.Xv));
-    vec3 turn = guide.N - p.guide.N;
-    other.turned = dot(turn, turn);
+    other.turned = squaredAngleBetween(p.guide.N, guide.N);
     // Seen from farther back, it changes less.
     vec3 shift = p.Vv + normalize(Xv + g.relaxViewRelaxation * p.Xv);
     other.seen = g.cameraDelta.w == 0.0 ? dot(shift, shift) : 0.0;
@@ -41,11 +40,11 @@ Neighbour makeNeighbour(Pixel p, ivec2 pixel, float viewZ, Guide guide)
 float tapWeight(Pixel p, Lobe lobe, bool isSpecular, Neighbour other, Stops stops)
 {
     if (!other.isInRange || !isSameMaterial(p.guide.materialID, other.guide.materialID, lobe.minMaterial)) return 0.0;
-    float weight = soft(other.distance * stops.plane);
+    float root = softRoot(square(other.distance * stops.plane));
     // What is reflected changes with the view as well.
-    weight *= soft(sqrt(isSpecular ? max(other.turned, other.seen) : other.turned) * stops.normal);
-    if (isSpecular) weight *= soft(abs(other.guide.roughness - p.guide.roughness) * stops.roughness);
-    return weight;
+    root *= softRoot((isSpecular ? max(other.turned, other.seen) : other.turned) * square(stops.normal));
+    if (isSpecular) root *= softRoot(square((other.guide.roughness - p.guide.roughness) * stops.roughness));
+    return square(root);
 }
 
 float lumaStop(float centre, float other, Stops stops)

@@ -33,75 +33,64 @@ layout(set = SET_RESOURCES, binding = FIRST_OUT + SIGNAL_NUM + 1) uniform writeo
 layout(set = SET_RESOURCES, binding = FIRST_OUT + SIGNAL_NUM + 2) uniform writeonly image2D gOut_PrevViewZ;
 layout(set = SET_RESOURCES, binding = FIRST_OUT + SIGNAL_NUM + 3) uniform writeonly image2D gOut_PrevNormalRoughness;
 
-#define PAIR_NUM (LOBE_NUM + 1) // per lobe: fast, noisy; then what the fast ones differ from the long history by
-#include "luma_rows.glsl"
+// Of a lobe: the fast history, the new sample, and what the fast history differs from the long one by.
+#define CHANNELS_PER_LOBE 3
+#define CHANNEL_NUM (LOBE_NUM * CHANNELS_PER_LOBE)
+#include "luma_window.glsl"
 
-const int kChange = LOBE_NUM;
-const float kRelitFrameNum = 4.0; // what a mean over 5x5 noisy pixels is worth
+const float kRelitFrameNum = 4.0; // what a mean over noisy pixels of a window is worth
 
-void readLumas(ivec2 pixel, out vec2 lumas[PAIR_NUM])
+vec4 gatherFast(vec2 uv, int component)
 {
-    vec4 stored = texelFetch(gIn_Fast, pixel, 0);
-    lumas[0] = stored.xy;
-    if (LOBE_NUM == 2) lumas[LOBE_NUM - 1] = stored.zw;
-    lumas[kChange] = stored.xz - slowLumas(pixel);
+    // The component must be a constant.
+    if (component == 0) return gatherOrder(textureGather(sampler2D(gIn_Fast, gNearestClamp), uv, 0));
+    if (component == 1) return gatherOrder(textureGather(sampler2D(gIn_Fast, gNearestClamp), uv, 1));
+    if (component == 2) return gatherOrder(textureGather(sampler2D(gIn_Fast, gNearestClamp), uv, 2));
+    return gatherOrder(textureGather(sampler2D(gIn_Fast, gNearestClamp), uv, 3));
 }
 
-// Valid texels by row of the window, and what of the 25 is missing.
-struct Counts
+void readLobe(inout Quad quad, int lobe, texture2D slow, vec2 uv)
 {
-    float rows[5];
-    float missing;
-};
-
-Counts countTexels()
-{
-    Counts counts;
-    counts.missing = 25.0;
-    [[unroll]] for (int y = 0; y < 5; y++)
-    {
-        counts.rows[y] = rowCount(ivec2(gl_LocalInvocationID.xy) + ivec2(0, y));
-        counts.missing -= counts.rows[y];
-    }
-    return counts;
+    int first = lobe * CHANNELS_PER_LOBE;
+    quad.channels[first] = gatherFast(uv, 2 * lobe);
+    quad.channels[first + 1] = gatherFast(uv, 2 * lobe + 1);
+    quad.channels[first + 2] = quad.channels[first] - gatherOrder(textureGather(sampler2D(slow, gNearestClamp), uv));
 }
 
-// What is out of range counts as the centre. Squares of parts add up with those of their means.
-Spread measure(int pair, Counts counts)
+Quad readQuad(vec2 uv)
 {
-    ivec2 local = ivec2(gl_LocalInvocationID.xy);
-    vec2 centre = texelAt(pair, local + kRadius), sum = vec2(0.0), means[5];
-    [[unroll]] for (int y = 0; y < 5; y++)
-    {
-        means[y] = rowMean(pair, local + ivec2(0, y));
-        sum += counts.rows[y] * (means[y] - centre);
-    }
-    vec2 mean = centre + sum / 25.0;
-    vec2 squares = counts.missing * (centre - mean) * (centre - mean);
-    [[unroll]] for (int y = 0; y < 5; y++)
-        squares += rowSquares(pair, local + ivec2(0, y)) + counts.rows[y] * (means[y] - mean) * (means[y] - mean);
-    return Spread(mean, sqrt(squares / 25.0));
+    Quad quad;
+#if HAS_DIFFUSE
+    readLobe(quad, 0, gIn_Diffuse, uv);
+#endif
+#if HAS_SPECULAR
+    readLobe(quad, kSpecularChannel, gIn_Specular, uv);
+#endif
+    return quad;
 }
 
+// Of one lobe, over the window.
 struct Moments
 {
-    vec4 mean; // fast and noisy of one lobe, then of the other
-    vec4 sigma;
-    vec2 slow;        // mean of the long history, per lobe
-    vec2 changeSigma; // of what the short history differs from it by
+    Spread fast;
+    Spread noisy;
+    float slow;        // mean of the long history
+    float changeSigma; // of what the short history differs from it by
     // Below 1 where less of the window is in range than at the picture's corner: a pixel alone in the sky is its own
     // neighbourhood, whose noise is no change.
     float share;
 };
 
-Moments measureLumas()
+// own: fast and noisy luma of this pixel.
+Moments measureLobe(int lobe, vec2 own, float slow)
 {
-    Counts counts = countTexels();
-    Spread change = measure(kChange, counts), first = measure(0, counts), second = first;
-    if (LOBE_NUM == 2) second = measure(LOBE_NUM - 1, counts);
-    vec4 mean = vec4(first.mean, second.mean);
-    return Moments(mean, vec4(first.sigma, second.sigma), mean.xz - change.mean, change.sigma,
-                   min((25.0 - counts.missing) / 9.0, 1.0));
+    int first = lobe * CHANNELS_PER_LOBE;
+    Spread fast = windowOf(first), noisy = windowOf(first + 1), change = windowOf(first + 2);
+    float share = min(fast.count / 16.0, 1.0);
+    fast = filled(fast, kWindowSize, own.x);
+    noisy = filled(noisy, kWindowSize, own.y);
+    change = filled(change, kWindowSize, own.x - slow);
+    return Moments(fast, noisy, fast.mean - change.mean, sigmaOf(change), share);
 }
 
 float fixTapWeight(Pixel p, Lobe lobe, bool isSpecular, ivec2 pixel, Weights w)
@@ -116,30 +105,48 @@ float fixTapWeight(Pixel p, Lobe lobe, bool isSpecular, ivec2 pixel, Weights w)
     return isUsed ? weight : 0.0;
 }
 
-// Strides of 7, 5, 4, 3 pixels for histories of 1 to 4 frames.
-Signal fixHistory(texture2D t, texture2D second, Pixel p, Lobe lobe, bool isSpecular, ivec2 position, float n)
+// What a tap is compared with.
+struct Fix
 {
-    Signal centre = readSignal(t, second, position);
-    if (n >= g.historyFixFrameNum) return centre;
+    Pixel p;
+    Lobe lobe;
+    bool isSpecular;
+    Weights w;
+    int stride;
+    Signal sum;
+    float weightSum;
+};
+
+void addFixTap(inout Fix f, texture2D t, texture2D second, ivec2 offset)
+{
+    ivec2 pixel = mirrorPixel(ivec2(f.p.position) + offset * f.stride);
+    float weight = fixTapWeight(f.p, f.lobe, f.isSpecular, pixel, f.w);
+    vec2 n = unpackLengths(texelFetch(gIn_Length, pixel, 0).xy);
+    weight *= offset != ivec2(0) ? 1.0 + n[f.isSpecular ? kSpecularChannel : 0] : 0.0;
+    f.sum = addWeighted(f.sum, readSignal(t, second, pixel), weight);
+    f.weightSum += weight > 0.0 ? weight : 0.0; // not NaN
+}
+
+// Strides of 7, 5, 4, 3 pixels for histories of 1 to 4 frames.
+Signal fixHistory(texture2D t, texture2D second, Signal centre, Pixel p, Lobe lobe, bool isSpecular, float n)
+{
     bool isAlternate = kHasMaterialTest && p.guide.materialID == g.historyFixAlternateMaterialID;
     float base = isAlternate ? g.historyFixAlternateStride : g.historyFixStride;
     int stride = int(base / (2.0 + n) + 0.5);
     Weights w = makeWeights(p, lobe, isSpecular, 1.0, 1.0, 0.0);
-    int channel = isSpecular ? kSpecularChannel : 0;
-    Signal sum = scaled(centre, 1.0 + n);
-    float weightSum = 1.0 + n;
-    // Row by row, without a branch round a read, so that those of a row are under way at once.
-    [[dont_unroll]] for (int y = -2; y <= 2; y++)
-    [[unroll]] for (int x = -2; x <= 2; x++)
+    Fix f = Fix(p, lobe, isSpecular, w, stride, scaled(centre, 1.0 + n), 1.0 + n);
+    if (kIsSoftware)
     {
-        ivec2 pixel = mirrorPixel(position + ivec2(x, y) * stride);
-        bool isTap = x != 0 || y != 0;
-        float weight = fixTapWeight(p, lobe, isSpecular, pixel, w);
-        weight *= isTap ? 1.0 + unpackLengths(texelFetch(gIn_Length, pixel, 0).xy)[channel] : 0.0;
-        sum = addWeighted(sum, readSignal(t, second, pixel), weight);
-        weightSum += weight > 0.0 ? weight : 0.0; // not NaN
+        // A processor runs through the body of a loop once even where there is nothing to fix.
+        [[dont_unroll]] for (int i = 0; i < 25; i++) addFixTap(f, t, second, ivec2(i % 5, i / 5) - 2);
     }
-    return scaled(sum, 1.0 / weightSum);
+    else
+    {
+        // Row by row, without a branch round a read, so that those of a row are under way at once.
+        [[dont_unroll]] for (int y = -2; y <= 2; y++)
+        [[unroll]] for (int x = -2; x <= 2; x++) addFixTap(f, t, second, ivec2(x, y));
+    }
+    return scaled(f.sum, 1.0 / f.weightSum);
 }
 
 // Rank-conditioned rank selection over 3x3: what is brighter, or darker, than all of its like is an outlier.
@@ -184,65 +191,104 @@ float pullOf(float slow, float clamped, float fast)
     return abs(way) > kEps ? saturate((clamped - slow) / way) : 0.0;
 }
 
-// How far a difference of means is more than noise, by its standard error; neighbours that share samples count as 16 of
-// the 25 pixels.
-float excessAmount(float difference, float sigma, float noisySigma, float share)
+// What a mean over the window's 36 pixels, which share samples or an error of the renderer, is taken to be worth.
+const float kIndependentNum = 16.0;
+const float kIndependentNoisyNum = 13.0;
+
+// How far a difference of means is more than noise, by its standard error.
+float excessAmount(float difference, float sigma, float noisySigma, float number)
 {
-    float noise = inversesqrt(max(16.0 * share, 1.0)) * (g.relaxAntilag.y * sigma + g.relaxAntilag.z * noisySigma) + kEps;
+    float noise = inversesqrt(max(number, 1.0)) * (g.relaxAntilag.y * sigma + g.relaxAntilag.z * noisySigma) + kEps;
     return saturate(2.0 * g.relaxAntilag.w * max(abs(difference) / noise - 1.0, 0.0));
 }
 
-// By how much light has changed, as means of 5x5 pixels show it, in which detail cancels out. A great change shows in
-// the noisy present at once, a smaller one in the fast history later. Samples vary as much as they did over time,
+// By how much light has changed, as means of a window show it, in which detail cancels out. A great change shows in the
+// noisy present at once, a smaller one in the fast history later. Samples vary as much as they did over time,
 // sampleSigma: where rare ones carry the light, a window without any is dark and calm, and no change.
-float changeAmount(int lobe, float sampleSigma, Moments m)
+float changeAmount(float sampleSigma, Moments m)
 {
-    float noisySigma = max(m.sigma[2 * lobe + 1], sampleSigma);
+    float own = sigmaOf(m.noisy), noisySigma = max(own, sampleSigma);
     // In the dark nothing is noisy. If that alone made it easier to go dark than to light up, what blinks would lose up
-    // to half of its energy; a quarter of what samples vary by keeps it, and costs a frame when a light goes off.
-    float presentSigma = max(m.sigma[2 * lobe + 1], mix(1.0, 0.25, m.share) * sampleSigma);
-    return max(excessAmount(m.mean[2 * lobe] - m.slow[lobe], m.changeSigma[lobe], presentSigma, m.share),
-               excessAmount(m.mean[2 * lobe + 1] - m.slow[lobe], noisySigma, noisySigma, m.share));
+    // to half of its energy; a third of what samples vary by keeps it, and costs a frame when a light goes off.
+    float presentSigma = max(own, mix(1.0, 0.3, m.share) * sampleSigma);
+    return max(excessAmount(m.fast.mean - m.slow, m.changeSigma, presentSigma, kIndependentNum * m.share),
+               excessAmount(m.noisy.mean - m.slow, noisySigma, noisySigma, kIndependentNoisyNum * m.share));
 }
 
 // A history under the light that its neighbourhood has now: dimmed or raised as a whole, so that detail stays and noise
-// is that of a mean over 5x5 pixels.
-float relight(float slow, int lobe, Moments m)
+// is that of a mean over the window.
+float relight(float slow, Moments m)
 {
-    float before = m.slow[lobe], now = m.mean[2 * lobe + 1];
+    float before = m.slow, now = m.noisy.mean;
     return now < before ? slow * now / before : slow + now - before;
 }
 
-Lumas bound(int lobe, bool isSpecular, float slow, float amount, Moments m)
+Lumas bound(bool isSpecular, float slow, float fast, float amount, Moments m)
 {
-    ivec2 local = ivec2(gl_LocalInvocationID.xy) + kRadius;
-    float fast = texelAt(lobe, local).x;
-    float mean = m.mean[2 * lobe], sigma = m.sigma[2 * lobe] * g.fastClampSigmaScale;
+    float mean = m.fast.mean, reach = sigmaOf(m.fast) * g.fastClampSigmaScale;
     // Widened to the centre's own fast value, which keeps bright details alive.
-    float clamped = clamp(slow, min(mean - sigma, fast), max(mean + sigma, fast));
+    float clamped = clamp(slow, min(mean - reach, fast), max(mean + reach, fast));
     int i = isSpecular ? 1 : 0;
     if (g.maxFastAccumulatedFrameNum[i] >= g.maxAccumulatedFrameNum[i]) clamped = slow; // nothing to bound it with
     float pull = pullOf(slow, clamped, fast);
 
-    float present = m.mean[2 * lobe + 1];
+    float present = m.noisy.mean;
     float push = 10.0 * g.relaxAntilag.x * abs(fast - slow) * pull * (isSpecular ? 0.33 : 1.0) * m.share;
-    float lit = relight(slow, lobe, m);
+    float lit = relight(slow, m);
     return Lumas(mix(moveTowards(clamped, present, push), lit, amount),
                  mix(moveTowards(fast, present, push), lit, amount));
 }
 
-// Returns the fast history to keep. The variance stays while the mean moves.
-float boundSignal(inout Signal signal, int lobe, bool isSpecular, inout float n, Moments m)
+Signal withVariance(Signal signal, float variance)
+{
+    signal.value.w = min(variance / max(square(luma(signal)), 1e-12), NRD_FP16_MAX);
+    return signal;
+}
+
+// own: fast and noisy luma of this pixel. Returns the fast history to keep. The variance stays while the mean moves.
+float boundSignal(inout Signal signal, int lobe, bool isSpecular, inout float n, vec2 own, float stored)
 {
     float slow = luma(signal);
     if (n < g.historyFixFrameNum) return slow; // what was just filled in is the best there is
-    float amount = changeAmount(lobe, slow * sqrt(signal.value.w), m);
-    Lumas lumas = bound(lobe, isSpecular, slow, amount, m);
+    Moments m = measureLobe(lobe, own, stored);
+    float amount = changeAmount(slow * sqrt(signal.value.w), m);
+    Lumas lumas = bound(isSpecular, slow, own.x, amount, m);
     float variance = signal.value.w * square(max(slow, lumas.slow));
-    signal = changeLuma(signal, lumas.slow);
-    signal.value.w = min(variance / max(square(lumas.slow), 1e-12), NRD_FP16_MAX);
+    signal = withVariance(changeLuma(signal, lumas.slow), variance);
     n = mix(n, min(n, kRelitFrameNum), amount);
     return lumas.fast;
+}
+
+// Too few frames for a variance over time: that of the fast history over the window, raised for what so few may miss,
+// less what the fix has averaged.
+const float kFixedShare = 1.0 / 8.0;
+
+float spatialVariance(Spread fast, float n)
+{
+    float sigma = sigmaOf(fast);
+    return sigma * sigma * kFixedShare * max(1.0, 4.0 / (n + 2.0));
+}
+
+// Returns the fast history to keep.
+float processLobe(texture2D t, texture2D second, writeonly image2D result, writeonly image2D resultSh, int lobe,
+                  bool isSpecular, ivec2 position, float viewZ, Guide guide, vec2 own, inout float n)
+{
+    Signal signal = readSignal(t, second, position);
+    float stored = luma(signal);
+    bool isShort = n < g.historyFixFrameNum;
+    if (isShort || kHasAntiFirefly)
+    {
+        Pixel p = makePixel(position, viewZ, guide);
+        Lobe filtered = isSpecular ? Lobe(guide.roughness, g.minMaterialForSpecular, 0.0)
+                                   : Lobe(1.0, g.minMaterialForDiffuse, 0.0);
+        if (isShort) signal = fixHistory(t, second, signal, p, filtered, isSpecular, n);
+        if (kHasAntiFirefly) signal = suppressFirefly(t, p, filtered, position, signal);
+    }
+    if (n + 1.0 < g.relaxSpatialVarianceFrameNum)
+        signal = withVariance(signal, spatialVariance(windowOf(lobe * CHANNELS_PER_LOBE), n));
+    float fast = boundSignal(signal, lobe, isSpecular, n, own, stored);
+    storeSignal(result, resultSh, position, signal);
+    return fast;
 }
 
 void main()
@@ -254,33 +300,24 @@ void main()
     // Copied before any exit: a stale depth in sky would let the next frame accept garbage.
     if (isInside) imageStore(gOut_PrevViewZ, position, vec4(storedForNext(storedViewZ)));
     if (texelFetch(gIn_Tiles, group / TILE_SIZE, 0).x > 0.5) return; // the same for the whole group
-    measureRows(group);
+    measureWindows(group);
     float viewZ = decodeViewZ(storedViewZ);
     if (!isInside || !isInRange(viewZ)) return;
     vec4 packedGuide = texelFetch(gIn_NormalRoughness, guideTexel(position), 0);
     imageStore(gOut_PrevNormalRoughness, position, packedGuide);
-    Pixel p = makePixel(position, viewZ, decodeGuide(packedGuide));
+    Guide guide = decodeGuide(packedGuide);
     vec2 n = unpackLengths(texelFetch(gIn_Length, position, 0).xy);
+    vec4 own = texelFetch(gIn_Fast, position, 0);
+    vec2 fast = vec2(0.0);
 #if HAS_DIFFUSE
-    Lobe diffuseLobe = Lobe(1.0, g.minMaterialForDiffuse, 0.0);
-    Signal diffuse = fixHistory(gIn_Diffuse, gIn_DiffuseSh, p, diffuseLobe, false, position, n.x);
-    if (kHasAntiFirefly) diffuse = suppressFirefly(gIn_Diffuse, p, diffuseLobe, position, diffuse);
+    fast.x = processLobe(gIn_Diffuse, gIn_DiffuseSh, gOut_Diffuse, gOut_DiffuseSh, 0, false, position, viewZ, guide,
+                         own.xy, n.x);
 #endif
 #if HAS_SPECULAR
     const int c = kSpecularChannel;
-    Lobe specularLobe = Lobe(p.guide.roughness, g.minMaterialForSpecular, 0.0);
-    Signal specular = fixHistory(gIn_Specular, gIn_SpecularSh, p, specularLobe, true, position, n[c]);
-    if (kHasAntiFirefly) specular = suppressFirefly(gIn_Specular, p, specularLobe, position, specular);
-#endif
-    Moments m = measureLumas();
-    vec2 fast = vec2(0.0);
-#if HAS_DIFFUSE
-    fast.x = boundSignal(diffuse, 0, false, n.x, m);
-    storeSignal(gOut_Diffuse, gOut_DiffuseSh, position, diffuse);
-#endif
-#if HAS_SPECULAR
-    fast[c] = boundSignal(specular, c, true, n[c], m);
-    storeSignal(gOut_Specular, gOut_SpecularSh, position, specular);
+    vec2 ownSpecular = LOBE_NUM == 2 ? own.zw : own.xy;
+    fast[c] = processLobe(gIn_Specular, gIn_SpecularSh, gOut_Specular, gOut_SpecularSh, c, true, position, viewZ,
+                          guide, ownSpecular, n[c]);
 #endif
     imageStore(gOut_Fast, position, roundToHalf(vec4(fast, 0.0, 0.0)));
     imageStore(gOut_PrevLength, position, uvec4(packLengthWord(n + 1.0)));

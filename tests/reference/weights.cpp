@@ -9,7 +9,12 @@ double smooth01(double x)
     return t * t * (3.0 - 2.0 * t);
 }
 
-double soft(double x) { return smooth01(1.0 - x); }
+double soft(double x)
+{
+    const double root = saturated(1.0 - x * x);
+    return root * root;
+}
+
 double heavy(double x) { return 1.0 / (1.0 + 3.0 * x + 9.0 * x * x); }
 
 double ramp(double a, double b, double x)

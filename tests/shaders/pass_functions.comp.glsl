@@ -86,7 +86,7 @@ Results evaluate(Arguments v)
         r.first.x = disocclusionDistance(s, v.a.w);
         break;
     }
-    case FN_DEPTH_TEST: r.first = testDepths(v.a, v.b.x, v.b.y); break;
+    case FN_DEPTH_TEST: r.first = testDepths(v.a, depthBounds(v.b.x, v.b.y)); break;
     case FN_PLANE_DISTANCE: r.first = planeDistances(v); break;
     case FN_EDGE_STOPS: r = edgeStops(v); break;
     case FN_EDGE_WEIGHT: r.first.x = edgeWeight(v); break;

@@ -162,7 +162,7 @@ struct RelaxSettings
     // The wavelet reaches 2^atrousIterationNum - 1 pixels. A difference of luminance counts in standard deviations of
     // the signal: the phis say how many of them lower a weight to 1/e, the minima below what no difference lowers it.
     uint32_t atrousIterationNum = 3;                        // [2; 8] passes
-    uint32_t spatialVarianceEstimationHistoryThreshold = 3; // [0; 63] frames, shorter histories look at 5x5 pixels
+    uint32_t spatialVarianceEstimationHistoryThreshold = 3; // [0; 63] frames, shorter histories look at 6x6 pixels
     float diffusePhiLuminance = 2.0f;                       // [0; 100]
     float specularPhiLuminance = 1.0f;                      // [0; 100]
     float diffuseMinLuminanceWeight = 0.0f;                 // [0; 1], 0 = none, 1 = no luminance stop
