@@ -78,7 +78,7 @@ TEST_CASE("a light that is switched shows soon", "[gpu]")
 
 TEST_CASE("a light that blinks keeps its energy", "[gpu]")
 {
-    // What is seen of a step of brightness is about 5; RELAX_SPECULAR takes 5.2.
+    // What is seen of a step of brightness is about 5; RELAX_DIFFUSE_SPECULAR_SH takes 5.1.
     Figure figure("light lit every other frame: error of the mean", "%", 5.5);
     for (const nrd::Denoiser denoiser : someThat(isAny)) figure.add(denoiser, energyError(denoiser));
 }
