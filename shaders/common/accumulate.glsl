@@ -274,7 +274,7 @@ Signal readOwnSample(texture2D t, texture2D second, ivec2 pixel, int channel, ou
     vec4 value = neighbourSample(channel, ivec2(0));
     isValid = value.x >= 0.0;
     if (!isValid) value = vec4(0.0);
-    return Signal(value, kIsSh ? sanitizeAxis(texelFetch(second, pixel, 0).xyz, value.x) : vec3(0.0));
+    return withInputAxis(value, second, pixel);
 }
 
 // The pre-pass has made sure that everything is finite.
@@ -322,8 +322,7 @@ Signal mixMoments(Signal history, Signal signal, float n, float weight)
     Signal mixed = mixSignals(history, signal, weight, weight);
     // Of a weighted mean of two groups; nothing large is subtracted.
     variance = (1.0 - weight) * (variance + weight * square(now - before));
-    mixed.value.w = min(variance / max(square(luma(mixed)), 1e-12), NRD_FP16_MAX);
-    return limitLuma(mixed, history, n);
+    return limitLuma(withVariance(mixed, variance), history, n);
 }
 
 // Running mean up to the cap; share: of the new sample's weight. Hit distances react faster the more mirror-like the

@@ -186,9 +186,7 @@ float specularFastWeight(Surface s, float n, float trust, float share)
 Signal storeConfidence(ivec2 pixel, Signal mixed, float confidence)
 {
     imageStore(gOut_Confidence, pixel, vec4(confidence));
-    if (mixed.value.w == 0.0)
-        mixed.value.w = min(g.relaxVarianceBoost * (1.0 - confidence) / max(square(luma(mixed)), 1e-12), NRD_FP16_MAX);
-    return mixed;
+    return mixed.value.w == 0.0 ? withVariance(mixed, g.relaxVarianceBoost * (1.0 - confidence)) : mixed;
 }
 #endif
 

@@ -1,4 +1,4 @@
-// Marks 16x16 tiles without a pixel in the denoising range, which every later pass leaves at once, and counts samples
+// Marks 16x16 tiles without a pixel in the denoising range, which later passes leave at once, and counts samples
 // whose surface was on the last frame's screen.
 #version 460
 #extension GL_EXT_control_flow_attributes : require

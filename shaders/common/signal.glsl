@@ -29,6 +29,13 @@ Signal changeLuma(Signal s, float newLuma)
     return Signal(vec4(s.value.xyz * scale, kIsDirectional ? newLuma : s.value.w), s.axis * scale);
 }
 
+// RELAX keeps variances over the squared luma, so that no radiance overflows a half float.
+Signal withVariance(Signal s, float variance)
+{
+    s.value.w = min(variance / max(square(luma(s)), 1e-12), NRD_FP16_MAX);
+    return s;
+}
+
 Signal capLuma(Signal s, float cap) { return luma(s) > cap ? changeLuma(s, cap) : s; }
 
 // Selected, not multiplied: what a weight of 0 rejects may hold anything.
@@ -78,10 +85,15 @@ vec3 sanitizeAxis(vec3 axis, float Y)
     return axis * min(1.0, Y * inversesqrt(max(dot(axis, axis), 1e-20)));
 }
 
+// value: of the first texture, sane.
+Signal withInputAxis(vec4 value, texture2D second, ivec2 texel)
+{
+    return Signal(value, kIsSh ? sanitizeAxis(texelFetch(second, texel, 0).xyz, value.x) : vec3(0.0));
+}
+
 Signal readInput(texture2D t, texture2D second, ivec2 texel, out bool isValid)
 {
-    vec4 value = sanitize(texelFetch(t, texel, 0), isValid);
-    return Signal(value, kIsSh ? sanitizeAxis(texelFetch(second, texel, 0).xyz, value.x) : vec3(0.0));
+    return withInputAxis(sanitize(texelFetch(t, texel, 0), isValid), second, texel);
 }
 
 //----------------------------------------------------------------------------------------------------------------------

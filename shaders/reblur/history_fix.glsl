@@ -1,7 +1,7 @@
 // Fills pixels with a short history from a wide sparse neighbourhood. Needs gIn_ViewZ, gIn_NormalRoughness, gIn_Length.
 #ifndef HISTORY_FIX_GLSL
 #define HISTORY_FIX_GLSL
-#include "spatial_filter.glsl"
+#include "sparse_fill.glsl"
 
 // Which share of a pixel and its 2x2 partners needs the fix: a smaller stride where they are stable.
 vec2 fixAmount(ivec2 position, vec2 n)
@@ -17,42 +17,18 @@ vec2 fixAmount(ivec2 position, vec2 n)
     return min(own, sum * (1.0 / 3.0));
 }
 
-float fixTapWeight(Pixel p, Lobe lobe, bool isSpecular, ivec2 pixel, Weights w)
+// The 5x5 without corners.
+float fillWeight(Fill f, ivec2 offset, ivec2 pixel, Signal value)
 {
     float viewZ = decodeViewZ(texelFetch(gIn_ViewZ, guideTexel(pixel), 0).x);
-    Guide guide = decodeGuide(texelFetch(gIn_NormalRoughness, guideTexel(pixel), 0));
-    float weight = heavy(angleBetween(p.guide.N, guide.N) * w.normal);
-    weight *= soft(planeDistance(p.plane, vec2(pixel), viewZ));
-    if (isSpecular) weight *= heavy(abs(square(guide.roughness) - square(p.guide.roughness)) * w.roughness);
-    bool isUsed = isInRange(viewZ) && isSameMaterial(p.guide.materialID, guide.materialID, lobe.minMaterial);
-    return isUsed ? weight : 0.0;
-}
-
-// What a tap is compared with.
-struct Fix
-{
-    Pixel p;
-    Lobe lobe;
-    bool isSpecular;
-    Weights w;
-    float hitDist; // normalised
-    int step;
-    Signal sum;
-    float weightSum;
-};
-
-// 5x5 grid without corners and centre; taps that already have history count for more.
-void addFixTap(inout Fix f, texture2D t, texture2D second, ivec2 offset)
-{
-    bool isTap = offset.x * offset.x + offset.y * offset.y != 8 && offset != ivec2(0);
-    ivec2 pixel = mirrorPixel(ivec2(f.p.position) + offset * f.step);
-    float weight = fixTapWeight(f.p, f.lobe, f.isSpecular, pixel, f.w);
-    Signal value = readSignal(t, second, pixel);
+    Guide guide = decodeGuide(texelFetch(gIn_NormalRoughness, guideTexel(pixel), 0)), own = f.p.guide;
+    float weight = heavy(angleBetween(own.N, guide.N) * f.w.normal);
+    weight *= soft(planeDistance(f.p.plane, vec2(pixel), viewZ));
+    if (f.isSpecular) weight *= heavy(abs(square(guide.roughness) - square(own.roughness)) * f.w.roughness);
     weight *= heavy(abs(value.value.w - f.hitDist) * f.w.hitDist);
-    vec2 n = unpackLengths(texelFetch(gIn_Length, pixel, 0).xy);
-    weight *= isTap ? 1.0 + n[f.isSpecular ? kSpecularChannel : 0] : 0.0;
-    f.sum = addWeighted(f.sum, value, weight);
-    f.weightSum += weight > 0.0 ? weight : 0.0; // not NaN
+    bool isUsed = isInRange(viewZ) && isSameMaterial(own.materialID, guide.materialID, f.lobe.minMaterial);
+    bool isCorner = offset.x * offset.x + offset.y * offset.y == 8;
+    return isUsed && !isCorner ? weight : 0.0;
 }
 
 Signal fixHistory(texture2D t, texture2D second, Signal centre, Pixel p, Lobe lobe, bool isSpecular, float n,
@@ -74,19 +50,7 @@ Signal fixHistory(texture2D t, texture2D second, Signal centre, Pixel p, Lobe lo
     Weights w = makeWeights(p, lobe, isSpecular, alpha, 1.0, 0.0);
     float m = square(lobe.roughness);
     w.roughness = 1.0 / mix(0.01, 1.0, mix(m * m, m, saturate(sqrt(g.roughnessFraction))));
-    Fix f = Fix(p, lobe, isSpecular, w, reference, step, scaled(centre, 1.0 + n), 1.0 + n);
-    if (kIsSoftware)
-    {
-        // A processor runs through the body of a loop once even where there is nothing to fix.
-        [[dont_unroll]] for (int i = 0; i < 25; i++) addFixTap(f, t, second, ivec2(i % 5, i / 5) - 2);
-    }
-    else
-    {
-        // Row by row, without a branch round a read, so that those of a row are under way at once.
-        [[dont_unroll]] for (int y = -2; y <= 2; y++)
-        [[unroll]] for (int x = -2; x <= 2; x++) addFixTap(f, t, second, ivec2(x, y));
-    }
-    return scaled(f.sum, 1.0 / f.weightSum);
+    return fillSparsely(Fill(p, lobe, isSpecular, w, reference, step), t, second, centre, n);
 }
 
 #endif

@@ -124,9 +124,7 @@ void addTap(inout Filter f, Signal value, Pixel p, bool isSpecular, Neighbour ot
 Signal finish(Filter f)
 {
     Signal result = scaled(f.sum, 1.0 / f.weightSum);
-    float variance = f.varianceSum / (f.weightSum * f.weightSum);
-    result.value.w = min(variance / max(square(luma(result)), 1e-12), NRD_FP16_MAX);
-    return result;
+    return withVariance(result, f.varianceSum / (f.weightSum * f.weightSum));
 }
 
 // values: of the taps. stops: but for luma.

@@ -37,6 +37,7 @@ layout(set = SET_RESOURCES, binding = FIRST_OUT + SIGNAL_NUM + 3) uniform writeo
 #define CHANNELS_PER_LOBE 3
 #define CHANNEL_NUM (LOBE_NUM * CHANNELS_PER_LOBE)
 #include "luma_window.glsl"
+#include "sparse_fill.glsl"
 
 const float kRelitFrameNum = 4.0; // what a mean over noisy pixels of a window is worth
 
@@ -93,38 +94,16 @@ Moments measureLobe(int lobe, vec2 own, float slow)
     return Moments(fast, noisy, fast.mean - change.mean, sigmaOf(change), share);
 }
 
-float fixTapWeight(Pixel p, Lobe lobe, bool isSpecular, ivec2 pixel, Weights w)
+float fillWeight(Fill f, ivec2 offset, ivec2 pixel, Signal value)
 {
     float viewZ = decodeViewZ(texelFetch(gIn_ViewZ, guideTexel(pixel), 0).x);
-    Guide guide = decodeGuide(texelFetch(gIn_NormalRoughness, guideTexel(pixel), 0));
-    float weight = soft(planeDistance(p.plane, vec2(pixel), viewZ));
-    weight *= isSpecular ? heavy(angleBetween(p.guide.N, guide.N) * w.normal)
-                         : pow(max(dot(p.guide.N, guide.N), 0.01), g.relaxFixNormalPower);
-    if (isSpecular) weight *= soft(abs(guide.roughness - p.guide.roughness) * w.roughness);
-    bool isUsed = isInRange(viewZ) && isSameMaterial(p.guide.materialID, guide.materialID, lobe.minMaterial);
+    Guide guide = decodeGuide(texelFetch(gIn_NormalRoughness, guideTexel(pixel), 0)), own = f.p.guide;
+    float weight = soft(planeDistance(f.p.plane, vec2(pixel), viewZ));
+    weight *= f.isSpecular ? heavy(angleBetween(own.N, guide.N) * f.w.normal)
+                           : pow(max(dot(own.N, guide.N), 0.01), g.relaxFixNormalPower);
+    if (f.isSpecular) weight *= soft(abs(guide.roughness - own.roughness) * f.w.roughness);
+    bool isUsed = isInRange(viewZ) && isSameMaterial(own.materialID, guide.materialID, f.lobe.minMaterial);
     return isUsed ? weight : 0.0;
-}
-
-// What a tap is compared with.
-struct Fix
-{
-    Pixel p;
-    Lobe lobe;
-    bool isSpecular;
-    Weights w;
-    int stride;
-    Signal sum;
-    float weightSum;
-};
-
-void addFixTap(inout Fix f, texture2D t, texture2D second, ivec2 offset)
-{
-    ivec2 pixel = mirrorPixel(ivec2(f.p.position) + offset * f.stride);
-    float weight = fixTapWeight(f.p, f.lobe, f.isSpecular, pixel, f.w);
-    vec2 n = unpackLengths(texelFetch(gIn_Length, pixel, 0).xy);
-    weight *= offset != ivec2(0) ? 1.0 + n[f.isSpecular ? kSpecularChannel : 0] : 0.0;
-    f.sum = addWeighted(f.sum, readSignal(t, second, pixel), weight);
-    f.weightSum += weight > 0.0 ? weight : 0.0; // not NaN
 }
 
 // Strides of 7, 5, 4, 3 pixels for histories of 1 to 4 frames.
@@ -134,19 +113,7 @@ Signal fixHistory(texture2D t, texture2D second, Signal centre, Pixel p, Lobe lo
     float base = isAlternate ? g.historyFixAlternateStride : g.historyFixStride;
     int stride = int(base / (2.0 + n) + 0.5);
     Weights w = makeWeights(p, lobe, isSpecular, 1.0, 1.0, 0.0);
-    Fix f = Fix(p, lobe, isSpecular, w, stride, scaled(centre, 1.0 + n), 1.0 + n);
-    if (kIsSoftware)
-    {
-        // A processor runs through the body of a loop once even where there is nothing to fix.
-        [[dont_unroll]] for (int i = 0; i < 25; i++) addFixTap(f, t, second, ivec2(i % 5, i / 5) - 2);
-    }
-    else
-    {
-        // Row by row, without a branch round a read, so that those of a row are under way at once.
-        [[dont_unroll]] for (int y = -2; y <= 2; y++)
-        [[unroll]] for (int x = -2; x <= 2; x++) addFixTap(f, t, second, ivec2(x, y));
-    }
-    return scaled(f.sum, 1.0 / f.weightSum);
+    return fillSparsely(Fill(p, lobe, isSpecular, w, 0.0, stride), t, second, centre, n);
 }
 
 // Rank-conditioned rank selection over 3x3: what is brighter, or darker, than all of its like is an outlier.
@@ -237,12 +204,6 @@ Lumas bound(bool isSpecular, float slow, float fast, float amount, Moments m)
     float lit = relight(slow, m);
     return Lumas(mix(moveTowards(clamped, present, push), lit, amount),
                  mix(moveTowards(fast, present, push), lit, amount));
-}
-
-Signal withVariance(Signal signal, float variance)
-{
-    signal.value.w = min(variance / max(square(luma(signal)), 1e-12), NRD_FP16_MAX);
-    return signal;
 }
 
 // own: fast and noisy luma of this pixel. Returns the fast history to keep. The variance stays while the mean moves.
