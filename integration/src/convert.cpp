@@ -104,7 +104,7 @@ rhi::TextureState toRhi(ResourceState state, LayoutPolicy policy)
     case ResourceState::SAMPLED:
         return policy == LayoutPolicy::GENERAL ? rhi::states::kSampledGeneral : rhi::states::kSampled;
     case ResourceState::STORAGE:
-        return rhi::states::kStorageWrite;
+        return rhi::states::kStorageReadWrite; // atomics read what they write
     case ResourceState::SAMPLED_AND_STORAGE:
         return {rhi::Access::SampledRead | rhi::Access::StorageWrite, rhi::Layout::General, rhi::Stage::Compute};
     case ResourceState::INDIRECT_ARGUMENTS:

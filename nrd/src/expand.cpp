@@ -29,8 +29,8 @@ Format formatOf(const TextureFormat& format, const Variant& variant, size_t sign
         return variant.signals[signal].format;
     case FormatRule::PerOutput:
         return outputFormat(variant);
-    case FormatRule::Guide:
-        return guideFormat(encoding);
+    case FormatRule::PrevGuide:
+        return variant.lobes == kDiffuse ? Format::RG8_UNORM : guideFormat(encoding);
     }
     return Format::MAX_NUM;
 }

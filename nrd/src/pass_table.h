@@ -44,6 +44,7 @@ enum Kinds : uint8_t
     kShadow = 16,              // visibility of a light
     kTranslucentShadow = 32,   // the same, and the colour that comes through
     kColor = kRadiance | kSphericalHarmonics,
+    kBounded = kOcclusion | kDirectionalOcclusion, // in [0; 1]
     kStabilized = kColor | kDirectionalOcclusion
 };
 
@@ -153,7 +154,7 @@ enum class FormatRule : uint8_t
     Luma,      // the same, half floats for colour, 8 bits for what lies in [0; 1]
     PerSignal, // one texture per signal of the variant, in the signal's format
     PerOutput, // the same, in a format that holds what the signal's output does
-    Guide      // as IN_NORMAL_ROUGHNESS
+    PrevGuide  // as IN_NORMAL_ROUGHNESS; 16 bits where diffuse light alone needs it
 };
 
 struct TextureFormat
@@ -166,7 +167,7 @@ constexpr TextureFormat fixed(Format format) { return {FormatRule::Fixed, format
 constexpr TextureFormat perLobes(Format one, Format two) { return {FormatRule::PerLobes, one, two}; }
 constexpr TextureFormat kLuma = {FormatRule::Luma, Format::MAX_NUM, Format::MAX_NUM};
 constexpr TextureFormat kPerSignal = {FormatRule::PerSignal, Format::MAX_NUM, Format::MAX_NUM};
-constexpr TextureFormat kGuide = {FormatRule::Guide, Format::MAX_NUM, Format::MAX_NUM};
+constexpr TextureFormat kPrevGuide = {FormatRule::PrevGuide, Format::MAX_NUM, Format::MAX_NUM};
 
 enum class Lifetime : uint8_t
 {

@@ -7,6 +7,9 @@
 #include "surface_track.glsl"
 #endif
 #include "checkerboard.glsl"
+#if HAS_CAP
+#include "read_cap.glsl"
+#endif
 
 const ivec2 kHalo = ivec2(10, 18); // an 8x16 group and one texel round it
 
@@ -14,6 +17,9 @@ shared vec4 sNormalViewZ[kHalo.y][kHalo.x]; // viewZ: 0 = out of range
 // Half floats: Y and Co, Cg of the input where no pre-pass ran, and the distance to what is reflected, 0 = unknown.
 #define SAMPLE_NUM (HAS_CAP == 1 ? LOBE_NUM : 1) // occlusion has no colour
 shared uvec2 sSamples[SAMPLE_NUM][kHalo.y][kHalo.x];
+#if HAS_CAP
+shared vec2 sCap; // how bright a sample may be, per lobe
+#endif
 
 const float kColorPlaneSensitivity = 0.02;
 const float kColorMinCosine = 0.9;
@@ -72,8 +78,18 @@ uvec2 readPacked(int channel, ivec2 pixel, bool isUsed)
     return packSample(isUsed ? value : kBadSample);
 }
 
+// What is the same for the whole group, a tile or half of one.
+void shareScalars(ivec2 group)
+{
+    shareHistoryReset();
+#if HAS_CAP
+    if (!kHasPrepass && g.isCapped != 0u) sCap = readTileCap(group / TILE_SIZE);
+#endif
+}
+
 void loadNeighbourhood(ivec2 group)
 {
+    if (gl_LocalInvocationIndex == 0u) shareScalars(group);
     const int kNum = kHalo.x * kHalo.y;
     // Without a branch, so that all reads are under way at once; the last texel is loaded repeatedly.
     [[unroll]] for (int first = 0; first < kNum; first += 128)
@@ -227,7 +243,7 @@ History readHistory(texture2D t, texture2D second, int channel, HistoryRead read
 vec2 readCap(ivec2 pixel)
 {
 #if HAS_CAP
-    if (!kHasPrepass && g.isCapped != 0u) return texelFetch(gIn_Cap, pixel / TILE_SIZE, 0).xy;
+    if (!kHasPrepass && g.isCapped != 0u) return kIsSoftware ? readTileCap(pixel / TILE_SIZE) : sCap;
 #endif
     return vec2(NRD_FP16_MAX);
 }

@@ -28,9 +28,6 @@ vec2 pixelUv(ivec2 pixel) { return (vec2(pixel) + 0.5) * g.rectSizeInv; }
 // 1e-4 keeps the frustum's size, a divisor of every distance weight, away from zero.
 float decodeViewZ(float stored) { return max(abs(stored * g.viewZScale), 1e-4); }
 
-// For the next frame's eyes: what is no number is sky.
-float storedForNext(float stored) { return NRD_IsFinite(stored) ? stored : 3.402823466e+38; }
-
 struct Guide
 {
     vec3 N;

@@ -1,10 +1,12 @@
 // How bright a sample may be before it is taken for a firefly: far above what its tile and the neighbouring tiles
 // showed lately. Their statistics count a firefly as bright as it was let through, so they grow with a signal whose
 // energy comes from one sample in hundreds, but not with one in thousands.
-// Needs gIn_PrevSpread and gOut_Spread, one texel per tile: mean and deviation of luma per lobe; gIn_Cut.
+// Whether the camera was cut is not known yet, so there are two of everything: with the last frames and without them.
+// Needs gIn_PrevSpread, gIn_PrevNewSpread, gOut_Spread and gOut_NewSpread, one texel per tile: mean and deviation of
+// luma per lobe; gIn_PrevCut; gOut_Cap: the caps of both lobes, with the last frames, then without.
 #ifndef FIREFLY_CAP_GLSL
 #define FIREFLY_CAP_GLSL
-#include "history_reset.glsl"
+#include "cut.glsl"
 
 // Where one sample in N carries all energy, the deviation is sqrt(N) times the mean and the sample sqrt(N) times that:
 // 48 follows light of one in 48^2. More, and chance makes the statistics grow with fireflies of one in 5000. Not less
@@ -33,6 +35,8 @@ struct Spread
     vec2 mean;
     vec2 deviation;
 };
+
+const Spread kNoSpread = Spread(vec2(0.0), vec2(0.0));
 
 const int kPartNum = 32; // invocations of a tile
 shared Samples sParts[kPartNum];
@@ -73,37 +77,49 @@ Spread spreadOf(Samples s)
 // 0 where nothing is known, which is what sky and a new history hold.
 Spread readSpread(ivec2 tile)
 {
-    if (isHistoryReset()) return Spread(vec2(0.0), vec2(0.0));
-    vec4 stored = texelFetch(gIn_PrevSpread, clamp(tile, ivec2(0), g.rectSizeMinusOne / TILE_SIZE), 0);
+    if (g.isHistoryReset != 0u) return kNoSpread;
+    ivec2 inside = clamp(tile, ivec2(0), g.rectSizeMinusOne / TILE_SIZE);
+    bool wasCut = isCut(texelFetch(gIn_PrevCut, ivec2(0), 0).x);
+    vec4 stored = wasCut ? texelFetch(gIn_PrevNewSpread, inside, 0) : texelFetch(gIn_PrevSpread, inside, 0);
     return Spread(stored.xy, stored.zw);
 }
 
 vec2 isKnown(Samples s) { return vec2(greaterThanEqual(s.count, vec2(kFewSamples))); }
 vec2 capOf(Spread s) { return s.mean + (kHasPrepass ? kSpreadScale : kLateSpreadScale) * s.deviation; }
 
-// What the frame itself says, or what was known before if that is more.
-vec2 findCap(Samples samples)
+// Black so far; a tile full of black may cap what comes, one with hardly a pixel may not.
+vec2 allowUnknown(Samples samples, vec2 cap)
 {
-    vec2 cap = isKnown(samples) * capOf(spreadOf(samples));
-    for (int i = 0; i < 9; i++) cap = max(cap, sKnownCaps[i]);
-    // Black so far; a tile full of black may cap what comes, one with hardly a pixel may not.
     return mix(cap, vec2(kNoCap), (1.0 - isKnown(samples)) * vec2(equal(cap, vec2(0.0))));
 }
 
-void storeSpread(ivec2 tile, Samples samples, vec2 cap)
+// To be stored for the next frame.
+vec4 mixSpread(Spread before, Samples samples, vec2 cap)
 {
     Samples all = samples;
     addToSums(all, min(samples.largest, max(cap, samples.largest * kCapGrowth)));
     addToSums(all, min(samples.second, max(cap, samples.second * kCapGrowth)));
-    Spread now = spreadOf(all), before = readSpread(tile);
+    Spread now = spreadOf(all);
     vec2 share = mix(vec2(1.0 / kSpreadFrameNum), vec2(1.0), equal(before.mean, vec2(0.0))) * isKnown(samples);
     vec2 mean = mix(before.mean, now.mean, share);
     vec2 variance = mix(before.deviation * before.deviation, now.deviation * now.deviation, share);
-    imageStore(gOut_Spread, tile, roundToHalf(vec4(mean, sqrt(variance))));
+    return roundToHalf(vec4(mean, sqrt(variance)));
 }
 
-// part: what this invocation saw of the tile. The cap is the first one's to know. Has barriers.
-vec2 shareCap(ivec2 tile, Samples part)
+// By one invocation: what the frame itself says, or what was known before if that is more.
+void storeCaps(ivec2 tile, Samples samples)
+{
+    vec2 own = isKnown(samples) * capOf(spreadOf(samples)), cap = own;
+    for (int i = 0; i < 9; i++) cap = max(cap, sKnownCaps[i]);
+    own = allowUnknown(samples, own);
+    cap = allowUnknown(samples, cap);
+    imageStore(gOut_Cap, tile, min(vec4(cap, own), vec4(kNoCap)));
+    imageStore(gOut_Spread, tile, mixSpread(readSpread(tile), samples, cap));
+    imageStore(gOut_NewSpread, tile, mixSpread(kNoSpread, samples, own));
+}
+
+// part: what this invocation saw of the tile. Has barriers.
+void findCaps(ivec2 tile, Samples part)
 {
     int self = int(gl_LocalInvocationIndex);
     sParts[self] = part;
@@ -112,11 +128,9 @@ vec2 shareCap(ivec2 tile, Samples part)
     if (self < 8)
         for (int i = 8; i < kPartNum; i += 8) addSamples(sParts[self], sParts[self + i]);
     barrier();
-    if (self > 0) return vec2(0.0);
+    if (self > 0) return;
     for (int i = 1; i < 8; i++) addSamples(sParts[0], sParts[i]);
-    vec2 cap = findCap(sParts[0]);
-    storeSpread(tile, sParts[0], cap);
-    return cap;
+    storeCaps(tile, sParts[0]);
 }
 
 #endif

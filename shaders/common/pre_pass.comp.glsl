@@ -6,7 +6,7 @@
 #include "checkerboard.glsl"
 
 #define HAS_CAP (1 - IS_BOUNDED)
-#define FIRST_OUT (3 + SIGNAL_NUM + HAS_CAP)
+#define FIRST_OUT (3 + SIGNAL_NUM + 2 * HAS_CAP)
 layout(local_size_x = 8, local_size_y = 16) in;
 layout(set = SET_RESOURCES, binding = 0) uniform texture2D gIn_Tiles;
 layout(set = SET_RESOURCES, binding = 1) uniform texture2D gIn_ViewZ;
@@ -32,6 +32,8 @@ layout(set = SET_RESOURCES, binding = FIRST_OUT + SIGNAL_NUM) uniform writeonly 
 #endif
 #if HAS_CAP
 layout(set = SET_RESOURCES, binding = 3 + SIGNAL_NUM) uniform texture2D gIn_Cap;
+layout(set = SET_RESOURCES, binding = 4 + SIGNAL_NUM) uniform utexture2D gIn_Cut;
+#include "read_cap.glsl"
 #endif
 
 #include "complete_input.glsl"
@@ -160,7 +162,7 @@ void main()
     if (!isInRange(viewZ)) return;
     vec2 cap = vec2(NRD_FP16_MAX);
 #if HAS_CAP
-    if (kHasAntiFirefly) cap = texelFetch(gIn_Cap, tile, 0).xy;
+    if (kHasAntiFirefly) cap = readTileCap(tile);
 #endif
     Pixel p = makePixel(position, viewZ, decodeGuide(texelFetch(gIn_NormalRoughness, guideTexel(position), 0)));
 #if HAS_DIFFUSE

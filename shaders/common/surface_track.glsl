@@ -1,10 +1,11 @@
 // The history a pixel's own surface left on the previous frame's screen.
-// Needs gIn_PrevViewZ, gIn_PrevNormalRoughness, gIn_PrevLength, gIn_Cut.
+// Needs gIn_PrevDepth, gIn_PrevNormalRoughness, gIn_PrevLength, gIn_Cut.
 #ifndef SURFACE_TRACK_GLSL
 #define SURFACE_TRACK_GLSL
 #include "motion.glsl"
 #include "history.glsl"
 #include "history_reset.glsl"
+#include "prev_surface.glsl"
 
 struct Surface
 {
@@ -60,27 +61,27 @@ float disocclusionDistance(Surface s, float parallax)
     return s.frustumSize * saturate(s.disocclusionThreshold / max(0.05, cosine));
 }
 
-// As stored: of either sign, without the scale.
-vec4 gatherPrevStored(ivec2 texel)
+vec4 gatherPrevCodes(ivec2 texel)
 {
     vec2 uv = (vec2(texel) + 1.0) * g.resourceSizeInvPrev;
-    return gatherOrder(textureGather(sampler2D(gIn_PrevViewZ, gNearestClamp), uv));
+    return gatherOrder(textureGather(sampler2D(gIn_PrevDepth, gNearestClamp), uv));
 }
 
-vec4 gatherPrevViewZ(ivec2 texel) { return max(abs(gatherPrevStored(texel) * g.viewZScale), vec4(1e-4)); }
+const vec2 kNoDepth = vec2(2.0, -1.0);
 
-// Of what is stored, lowest and highest: within a threshold of what is expected, and in range.
+// Of stored codes, lowest and highest: within a threshold of what is expected. Half a step more, so that rounding
+// refuses nothing that lies within the threshold.
 vec2 depthBounds(float expected, float threshold)
 {
-    float farthest = g.denoisingRange * (1.0 - 1e-7);
-    return vec2(expected - threshold, min(expected + threshold, farthest)) / g.viewZScale;
+    float nearest = expected - threshold, farthest = expected + threshold;
+    if (!(threshold >= 0.0 && farthest > 0.0)) return kNoDepth;
+    return vec2(encodeDepth(max(nearest, 1e-30)) - 0.5 * kDepthStep, encodeDepth(farthest) + 0.5 * kDepthStep);
 }
 
-// 1 = between the bounds. 0 for NaN.
-vec4 testDepths(vec4 stored, vec2 bounds)
+// 1 = between the bounds.
+vec4 testDepths(vec4 codes, vec2 bounds)
 {
-    vec4 depths = abs(stored);
-    return vec4(greaterThanEqual(depths, bounds.xxxx)) * vec4(lessThanEqual(depths, bounds.yyyy));
+    return vec4(greaterThanEqual(codes, bounds.xxxx)) * vec4(lessThanEqual(codes, bounds.yyyy));
 }
 
 // Twelve texels in four quadrants, each tied to its inner texel of the 2x2 footprint by normal and material.
@@ -92,21 +93,20 @@ void testSurface(Surface s, inout SurfaceTrack track)
     // Without motion a little back-facing noise is tolerated.
     float minCosine = 0.01745 - 0.25 * ramp(0.25, 0.0, track.parallaxMax);
     uint minMaterial = min(g.minMaterialForDiffuse, g.minMaterialForSpecular);
-    const vec2 kNoDepth = vec2(1.0, 0.0);
     vec2 bounds = depthBounds(viewZPrev, threshold - kEps); // -eps: a zeroed threshold rejects even equality
     vec4 inside = footprintInside(origin, lastPrevTexel());
     vec4 NoN, quadrantSum;
     for (int i = 0; i < 4; i++)
     {
         ivec2 quadrant = ivec2(i & 1, i >> 1);
-        Guide other = decodeGuide(texelFetch(gIn_PrevNormalRoughness,
-                                             footprintTexel(origin, i, lastPrevTexel()), 0));
+        Guide other = decodePrevGuide(texelFetch(gIn_PrevNormalRoughness,
+                                                 footprintTexel(origin, i, lastPrevTexel()), 0));
         NoN[i] = dot(other.N, s.meanN);
         // The own normal as well: at a contact the mean may point away from both surfaces.
         float cosine = max(NoN[i], dot(other.N, s.guide.N));
         bool isAccepted = inside[i] > 0.0 && cosine > minCosine &&
                           isSameMaterial(s.guide.materialID, other.materialID, minMaterial);
-        vec4 passed = testDepths(gatherPrevStored(origin - 1 + 2 * quadrant), isAccepted ? bounds : kNoDepth);
+        vec4 passed = testDepths(gatherPrevCodes(origin - 1 + 2 * quadrant), isAccepted ? bounds : kNoDepth);
         track.valid[i] = passed[3 - i];
         quadrantSum[i] = dot(passed, vec4(1.0)) - passed[i];
     }

@@ -14,7 +14,7 @@
 #define SPECULAR_MOTION (FIRST_TRACK + HAS_SPECULAR + HAS_TRACK)
 #define HAS_CAP (1 - IS_BOUNDED)
 #define CAP (SPECULAR_MOTION + HAS_SPECULAR)
-#define FIRST_OUT (CAP + HAS_CAP)
+#define FIRST_OUT (CAP + HAS_CAP + 1)
 #define FIRST_SCALAR_OUT (FIRST_OUT + SIGNAL_NUM)
 
 layout(local_size_x = 8, local_size_y = 16) in;
@@ -22,10 +22,10 @@ layout(set = SET_RESOURCES, binding = 0) uniform texture2D gIn_Tiles;
 layout(set = SET_RESOURCES, binding = 1) uniform texture2D gIn_ViewZ;
 layout(set = SET_RESOURCES, binding = 2) uniform texture2D gIn_NormalRoughness;
 layout(set = SET_RESOURCES, binding = 3) uniform texture2D gIn_Motion;
-layout(set = SET_RESOURCES, binding = 4) uniform texture2D gIn_PrevViewZ;
+layout(set = SET_RESOURCES, binding = 4) uniform texture2D gIn_PrevDepth;
 layout(set = SET_RESOURCES, binding = 5) uniform texture2D gIn_PrevNormalRoughness;
 layout(set = SET_RESOURCES, binding = 6) uniform utexture2D gIn_PrevLength;
-layout(set = SET_RESOURCES, binding = 7) uniform texture2D gIn_Cut;
+layout(set = SET_RESOURCES, binding = 7) uniform utexture2D gIn_Cut;
 layout(set = SET_RESOURCES, binding = 8) uniform texture2D gIn_DisocclusionMix;
 #if HAS_DIFFUSE
 layout(set = SET_RESOURCES, binding = 9) uniform texture2D gIn_DiffuseConfidence;
@@ -65,6 +65,7 @@ layout(set = SET_RESOURCES, binding = FIRST_SCALAR_OUT + 4) uniform writeonly im
 #if HAS_CAP
 layout(set = SET_RESOURCES, binding = CAP) uniform texture2D gIn_Cap;
 #endif
+layout(set = SET_RESOURCES, binding = FIRST_OUT - 1) uniform writeonly uimage2D gOut_PrevCut;
 layout(set = SET_RESOURCES, binding = FIRST_SCALAR) uniform texture2D gIn_Fast;
 layout(set = SET_RESOURCES, binding = FIRST_SCALAR_OUT) uniform writeonly image2D gOut_Fast;
 layout(set = SET_RESOURCES, binding = FIRST_SCALAR_OUT + 1) uniform writeonly image2D gOut_Length;
@@ -120,6 +121,8 @@ LobeResult accumulateDiffuse(Surface s, SurfaceTrack surface)
 void main()
 {
     ivec2 group = ivec2(gl_WorkGroupID.xy) * ivec2(8, 16);
+    // The last frame's votes are counted; the next frame's start from none.
+    if (gl_GlobalInvocationID.xy == uvec2(0u)) imageStore(gOut_PrevCut, ivec2(0), uvec4(0u));
     if (texelFetch(gIn_Tiles, group / TILE_SIZE, 0).x > 0.5) return; // the same for the whole group
     if (!kIsSoftware)
     {

@@ -105,7 +105,7 @@ void testVirtual(Surface s, SurfaceTrack surface, inout VirtualTrack track, out 
     float start = dot(s.guide.N, transform(g.viewToWorldPrev, eye) - surface.Xprev);
     float slope = dot(s.guide.N, rotate(g.viewToWorldPrev, ray));
     vec4 inside = footprintInside(origin, lastPrevTexel());
-    vec4 depths = gatherPrevViewZ(origin);
+    vec4 codes = gatherPrevCodes(origin);
     vec4 NoN = vec4(0.0);
     previousGuide = vec4(0.0);
     for (int i = 0; i < 4; i++)
@@ -114,10 +114,11 @@ void testVirtual(Surface s, SurfaceTrack surface, inout VirtualTrack track, out 
                                              footprintTexel(origin, i, lastPrevTexel()), 0));
         float weight = roughnessWeight(s.guide.roughness, other.roughness, g.roughnessFraction, kRoughnessSensitivity);
         roughnessWeights[i] = mix(1.0, weight, relax);
-        float planeDistance = abs(start + slope * depths[i]);
+        float depth = decodeDepth(codes[i]); // 0: sky
+        float planeDistance = abs(start + slope * depth);
         NoN[i] = dot(other.N, s.guide.N);
         bool isAccepted = inside[i] > 0.0 && NoN[i] > minCosine && roughnessWeights[i] >= 0.5 &&
-                          isInRange(depths[i]) && planeDistance <= threshold - kEps &&
+                          depth > 0.0 && planeDistance <= threshold - kEps &&
                           isSameMaterial(s.guide.materialID, other.materialID, g.minMaterialForSpecular);
         track.valid[i] = isAccepted ? 1.0 : 0.0;
         previousGuide += vec4(other.N, other.roughness) * track.footprint.bilinear[i];

@@ -33,9 +33,10 @@ layout(set = SET_RESOURCES, binding = 5 + SIGNAL_NUM) uniform texture2D gIn_Trac
 #endif
 layout(set = SET_RESOURCES, binding = 4 + SIGNAL_NUM) uniform texture2D gIn_Fast;
 layout(set = SET_RESOURCES, binding = FIRST_OUT + SIGNAL_NUM) uniform writeonly image2D gOut_Fast;
-layout(set = SET_RESOURCES, binding = FIRST_OUT + SIGNAL_NUM + 1) uniform writeonly image2D gOut_PrevViewZ;
+layout(set = SET_RESOURCES, binding = FIRST_OUT + SIGNAL_NUM + 1) uniform writeonly image2D gOut_PrevDepth;
 layout(set = SET_RESOURCES, binding = FIRST_OUT + SIGNAL_NUM + 2) uniform writeonly image2D gOut_PrevNormalRoughness;
 
+#include "keep_surface.glsl"
 #include "fast_history.glsl"
 #include "history_fix.glsl"
 
@@ -53,15 +54,16 @@ void main()
     ivec2 group = ivec2(gl_WorkGroupID.xy) * ivec2(8, 16);
     ivec2 position = ivec2(gl_GlobalInvocationID.xy);
     float storedViewZ = texelFetch(gIn_ViewZ, guideTexel(clampToRect(position)), 0).x;
-    // Copied before any exit: a stale depth in sky would let the next frame accept garbage.
-    if (isInRect(position)) imageStore(gOut_PrevViewZ, position, vec4(storedForNext(storedViewZ)));
+    float viewZ = decodeViewZ(storedViewZ);
+    bool isUsed = isInRect(position) && isInRange(viewZ);
+    // Before any exit: a stale depth in sky would let the next frame accept garbage.
+    if (isInRect(position) && !isUsed) forgetSurface(position);
     if (texelFetch(gIn_Tiles, group / TILE_SIZE, 0).x > 0.5) return; // the same for the whole group
     measureWindows(group);
-    float viewZ = decodeViewZ(storedViewZ);
-    if (!isInRect(position) || !isInRange(viewZ)) return;
+    if (!isUsed) return;
     vec4 packedGuide = texelFetch(gIn_NormalRoughness, guideTexel(position), 0);
-    imageStore(gOut_PrevNormalRoughness, position, packedGuide);
     Guide guide = decodeGuide(packedGuide);
+    keepSurface(position, storedViewZ, packedGuide, guide);
     vec2 n = unpackLengths(texelFetch(gIn_Length, position, 0).xy);
     vec2 share = clamp(n / max(g.historyFixFrameNum, 1e-3), 0.0, 1.0);
     vec2 fast = texelFetch(gIn_Fast, position, 0).xy;

@@ -30,7 +30,7 @@ layout(set = SET_RESOURCES, binding = FIRST_OUT + 2 * LOBE_NUM - 1) uniform writ
 layout(set = SET_RESOURCES, binding = 4 + SIGNAL_NUM) uniform texture2D gIn_Fast; // per lobe: fast, noisy
 layout(set = SET_RESOURCES, binding = FIRST_OUT + SIGNAL_NUM) uniform writeonly image2D gOut_Fast;
 layout(set = SET_RESOURCES, binding = FIRST_OUT + SIGNAL_NUM + 1) uniform writeonly uimage2D gOut_PrevLength;
-layout(set = SET_RESOURCES, binding = FIRST_OUT + SIGNAL_NUM + 2) uniform writeonly image2D gOut_PrevViewZ;
+layout(set = SET_RESOURCES, binding = FIRST_OUT + SIGNAL_NUM + 2) uniform writeonly image2D gOut_PrevDepth;
 layout(set = SET_RESOURCES, binding = FIRST_OUT + SIGNAL_NUM + 3) uniform writeonly image2D gOut_PrevNormalRoughness;
 
 // Of a lobe: the fast history, the new sample, and what the fast history differs from the long one by.
@@ -38,6 +38,7 @@ layout(set = SET_RESOURCES, binding = FIRST_OUT + SIGNAL_NUM + 3) uniform writeo
 #define CHANNEL_NUM (LOBE_NUM * CHANNELS_PER_LOBE)
 #include "luma_window.glsl"
 #include "sparse_fill.glsl"
+#include "keep_surface.glsl"
 
 const float kRelitFrameNum = 4.0; // what a mean over noisy pixels of a window is worth
 
@@ -256,17 +257,17 @@ void main()
 {
     ivec2 group = ivec2(gl_WorkGroupID.xy) * ivec2(8, 16);
     ivec2 position = ivec2(gl_GlobalInvocationID.xy);
-    bool isInside = isInRect(position);
     float storedViewZ = texelFetch(gIn_ViewZ, guideTexel(clampToRect(position)), 0).x;
-    // Copied before any exit: a stale depth in sky would let the next frame accept garbage.
-    if (isInside) imageStore(gOut_PrevViewZ, position, vec4(storedForNext(storedViewZ)));
+    float viewZ = decodeViewZ(storedViewZ);
+    bool isUsed = isInRect(position) && isInRange(viewZ);
+    // Before any exit: a stale depth in sky would let the next frame accept garbage.
+    if (isInRect(position) && !isUsed) forgetSurface(position);
     if (texelFetch(gIn_Tiles, group / TILE_SIZE, 0).x > 0.5) return; // the same for the whole group
     measureWindows(group);
-    float viewZ = decodeViewZ(storedViewZ);
-    if (!isInside || !isInRange(viewZ)) return;
+    if (!isUsed) return;
     vec4 packedGuide = texelFetch(gIn_NormalRoughness, guideTexel(position), 0);
-    imageStore(gOut_PrevNormalRoughness, position, packedGuide);
     Guide guide = decodeGuide(packedGuide);
+    keepSurface(position, storedViewZ, packedGuide, guide);
     vec2 n = unpackLengths(texelFetch(gIn_Length, position, 0).xy);
     vec4 own = texelFetch(gIn_Fast, position, 0);
     vec2 fast = vec2(0.0);

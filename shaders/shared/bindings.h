@@ -28,6 +28,5 @@
 
 #define TILE_SIZE 16
 #define VIRTUAL_AMOUNT_STEP 4 // one pixel of 4x4 says how much of its history came along the virtual track
-#define CUT_SAMPLES_PER_TILE 32
 
 #endif

@@ -88,7 +88,7 @@ struct DenoiserConstants
     uint isPrepassTrackingOnly;
     uint returnHistoryLength;
     uint hasValidation;       // 1: OUT_VALIDATION is drawn
-    uint isCutDetected;       // 1: the texture "Cut" holds the device's own opinion
+    uint isCutDetected;       // 1: the texture "Cut" holds the votes of this frame's pixels
     uint hasDisocclusionMix;  // 1: IN_DISOCCLUSION_THRESHOLD_MIX is bound
     uint isCapped;            // 1: the texture "Cap" says how bright a sample may be
     uint checkerboard;        // value of CheckerboardMode

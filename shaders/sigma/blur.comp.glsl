@@ -20,7 +20,7 @@ layout(set = SET_RESOURCES, binding = FIRST_HISTORY) uniform texture2D gIn_Motio
 layout(set = SET_RESOURCES, binding = FIRST_HISTORY + 1) uniform utexture2D gIn_History;
 layout(set = SET_RESOURCES, binding = FIRST_OUT + 2) uniform writeonly uimage2D gOut_Past;
 #if HAS_TRANSLUCENCY
-layout(set = SET_RESOURCES, binding = FIRST_OUT + 3) uniform writeonly uimage2D gOut_PastColor;
+layout(set = SET_RESOURCES, binding = FIRST_OUT + 3) uniform writeonly image2D gOut_PastColor;
 #endif
 #endif
 
@@ -35,7 +35,7 @@ void storePast(ivec2 pixel, Past past)
 {
     imageStore(gOut_Past, pixel, uvec4(packVisibility(past)));
 #if HAS_TRANSLUCENCY
-    imageStore(gOut_PastColor, pixel, uvec4(packColor(past)));
+    imageStore(gOut_PastColor, pixel, unpackUnorm4x8(packColor(past)));
 #endif
 }
 #endif

@@ -14,7 +14,7 @@ layout(set = SET_RESOURCES, binding = FIRST_OUT) uniform writeonly image2D gOut_
 #if HAS_HISTORY
 layout(set = SET_RESOURCES, binding = 5) uniform utexture2D gIn_Past;
 #if HAS_TRANSLUCENCY
-layout(set = SET_RESOURCES, binding = 6) uniform utexture2D gIn_PastColor;
+layout(set = SET_RESOURCES, binding = 6) uniform texture2D gIn_PastColor;
 #endif
 layout(set = SET_RESOURCES, binding = FIRST_OUT + 1) uniform writeonly uimage2D gOut_History;
 #endif

@@ -1,29 +1,17 @@
-// What SIGMA remembers of a pixel, and how it is packed: logarithm of the depth in 16 bits (4e-4 apart from 6e-5 to
-// 1e6 units), square root of visibility in 12, frames in 4, square roots of the colour in 11, 11 and 10.
+// What SIGMA remembers of a pixel, and how it is packed: the depth's code in 16 bits, square root of visibility in 12,
+// frames in 4, square roots of the colour in 11, 11 and 10.
 #ifndef SHADOW_HISTORY_GLSL
 #define SHADOW_HISTORY_GLSL
+#include "depth_code.glsl"
 #include "shadow_packing.glsl"
 
 const float kLongestHistory = 15.0; // frames
-const float kDepthOctaves = 34.0, kDepthFirstOctave = -14.0;
 
 struct Past
 {
     Shadow shadow;
     float n; // frames
 };
-
-uint packDepth(float viewZ)
-{
-    float octave = (log2(viewZ) - kDepthFirstOctave) / kDepthOctaves;
-    return 1u + uint(clamp(octave * 65534.0 + 0.5, 0.0, 65534.0));
-}
-
-float unpackDepth(uint word) // 0: nothing was there
-{
-    uint code = word >> 16;
-    return code == 0u ? 0.0 : exp2(float(code - 1u) / 65534.0 * kDepthOctaves + kDepthFirstOctave);
-}
 
 uint packRoot(float x, float steps) { return uint(sqrt(clamp(x, 0.0, 1.0)) * steps + 0.5); }
 float unpackRoot(uint code, float steps)

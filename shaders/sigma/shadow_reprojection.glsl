@@ -29,7 +29,7 @@ Past reproject(Receiver r, float viewZ)
     {
         ivec2 texel = footprintTexel(footprint.origin, i, last);
         uvec4 words = texelFetch(gIn_History, texel, 0);
-        float depth = unpackDepth(words.x);
+        float depth = unpackDepth(words.x >> 16);
         float weight = depth > 0.0 ? weights[i] * isSamePlane(r, motion.Xprev, texel, depth) : 0.0;
         Past tap = unpackPast(words.x, words.y);
         sum.shadow += tap.shadow * weight;

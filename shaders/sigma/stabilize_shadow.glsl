@@ -13,7 +13,7 @@ Past readPast(ivec2 pixel)
 {
     uint colorWord = 0u;
 #if HAS_TRANSLUCENCY
-    colorWord = texelFetch(gIn_PastColor, pixel, 0).x;
+    colorWord = packUnorm4x8(texelFetch(gIn_PastColor, pixel, 0)); // the output, whose texels may be finer than bytes
 #endif
     return unpackPast(texelFetch(gIn_Past, pixel, 0).x, colorWord);
 }

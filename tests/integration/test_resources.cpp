@@ -252,7 +252,8 @@ TEST_CASE("states are left as told, or restored when asked", "[unit]")
     require(f.denoise(), f.integration);
     CHECK(in.state == nrd::NrdImageState{VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL, VK_ACCESS_SHADER_READ_BIT,
                                          VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT});
-    CHECK(out.state == nrd::NrdImageState{VK_IMAGE_LAYOUT_GENERAL, VK_ACCESS_SHADER_WRITE_BIT,
+    CHECK(out.state == nrd::NrdImageState{VK_IMAGE_LAYOUT_GENERAL,
+                                          VK_ACCESS_SHADER_READ_BIT | VK_ACCESS_SHADER_WRITE_BIT,
                                           VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT});
     in.state = rendered;
     out.state = {};

@@ -268,7 +268,7 @@ TEST_CASE("refused settings leave the old ones in force", "[unit]")
     CHECK(std::string(GetLastMessage(*instance)) == messages.texts.back());
 
     const std::vector<DispatchDesc> dispatches = requestFrame(*instance, common);
-    CHECK(dispatches.size() == 7);
+    CHECK(dispatches.size() == 5);
     CHECK(findPass(dispatches, "Temporal stabilization"));
 }
 

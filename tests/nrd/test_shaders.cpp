@@ -53,6 +53,15 @@ const SignalRow* findSignal(const Program& program, const Binding& binding)
     return nullptr;
 }
 
+// One texture that lies in the first signal's output until the result takes its place.
+bool isLent(const Program& program, const std::string& name)
+{
+    const auto& rows = program.family->textures;
+    return std::any_of(rows.begin(), rows.end(), [&](const TextureRow& row)
+                       { return row.lifetime == Lifetime::Lent && row.format.rule != FormatRule::PerSignal &&
+                                has(*program.variant, row.having) && normalize(row.name) == name; });
+}
+
 // What is bound per signal is named after its lobe; everything else after the slot.
 void checkName(const Program& program, const Binding& binding, const std::string& shaderName)
 {
@@ -60,6 +69,11 @@ void checkName(const Program& program, const Binding& binding, const std::string
     const auto begins = [&](const char* word) { return name.rfind(word, 0) == 0; };
     if (begins("signal") || begins("first") || begins("second")) return; // resampled, whatever it is
     const SignalRow* signal = findSignal(program, binding);
+    if (isLent(program, name))
+    {
+        CHECK(signal == &program.variant->signals[0]);
+        return;
+    }
     if (signal && signal->lobe != kNoLobe)
     {
         CHECK_THAT(name, containing(signal->lobe == kDiffuse ? "diff" : "spec"));
@@ -112,8 +126,7 @@ void checkLayout(const Pass& pass, const ShaderModule& module)
         CHECK(b.kind == (isConstants ? BindingKind::UniformBuffer : BindingKind::Sampler));
     }
     // A tile, and a whole grid of one, is one group, whatever its number of invocations.
-    const bool isTileGroup = (pass.row->group.x == TILE_SIZE && module.localSize[0] < TILE_SIZE) ||
-                             (pass.row->group.x == 1 && pass.row->gridFactor == kOneTexel);
+    const bool isTileGroup = pass.row->group.x % TILE_SIZE == 0 && module.localSize[0] < TILE_SIZE;
     CHECK((isTileGroup || module.localSize[0] == pass.row->group.x));
     CHECK((isTileGroup || module.localSize[1] == pass.row->group.y));
 }

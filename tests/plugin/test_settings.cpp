@@ -34,13 +34,13 @@ NrdPluginSettingInfo info(uint32_t denoiser, const std::string& name)
 }
 
 // Of the denoiser that was initialised first.
-bool isCapped(RecordingPlugin& plugin, uint32_t frame)
+bool hasPrePass(RecordingPlugin& plugin, uint32_t frame)
 {
     rhi::RecordingDevice& device = *plugin.devices.at(1).device;
     device.clearCalls();
     requireSuccess(NrdPluginExecute(NrdPluginGetEventId(kReblur, kFirstFrame + frame)));
     for (const rhi::RecordedCall& call : device.calls())
-        if (call.type == rhi::CallType::BeginLabel && call.name.find("Firefly cap") != std::string::npos) return true;
+        if (call.type == rhi::CallType::BeginLabel && call.name.find("Pre-pass") != std::string::npos) return true;
     return false;
 }
 } // namespace
@@ -76,16 +76,16 @@ TEST_CASE("a setting holds for frames that are set after it, and no longer than 
     RecordingPlugin plugin;
     requireSuccess(plugin.initialize(kReblur));
     setFrame(0);
-    requireSuccess(NrdPluginSetSetting(kReblur, "enableAntiFirefly", 0.0));
+    requireSuccess(NrdPluginSetSetting(kReblur, "hitDistanceReconstructionMode", 1.0));
     setFrame(1);
-    CHECK(isCapped(plugin, 0));
-    CHECK_FALSE(isCapped(plugin, 1));
-    CHECK(info(kReblur, "enableAntiFirefly").value == 0.0);
-    CHECK(info(NRD_PLUGIN_REBLUR_SPECULAR, "enableAntiFirefly").value == 1.0); // each has its own
+    CHECK_FALSE(hasPrePass(plugin, 0));
+    CHECK(hasPrePass(plugin, 1));
+    CHECK(info(kReblur, "hitDistanceReconstructionMode").value == 1.0);
+    CHECK(info(NRD_PLUGIN_REBLUR_SPECULAR, "hitDistanceReconstructionMode").value == 0.0); // each has its own
     requireSuccess(NrdPluginRelease(kReblur));
-    CHECK(info(kReblur, "enableAntiFirefly").value == 0.0);
+    CHECK(info(kReblur, "hitDistanceReconstructionMode").value == 1.0);
     requireSuccess(NrdPluginReleaseAll());
-    CHECK(info(kReblur, "enableAntiFirefly").value == 1.0);
+    CHECK(info(kReblur, "hitDistanceReconstructionMode").value == 0.0);
 }
 
 TEST_CASE("settings that cannot be are refused with their name, and change nothing", "[unit]")

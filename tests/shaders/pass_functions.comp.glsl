@@ -14,19 +14,26 @@ int kStep = 0; // likewise
 const int kNormalEncoding = 2, kRoughnessEncoding = 1;
 const bool kHasPrepass = true, kHasStabilization = true, kHasMaterialTest = false, kHasConfidence = false;
 const bool kHasSpecularMotion = false, kHasAntiFirefly = true;
+const bool kIsSoftware = true; // nothing is shared
 
 // Named by functions that are not called here.
 layout(set = 1, binding = 0) uniform sampler gNearestClamp;
 layout(set = 1, binding = 1) uniform sampler gLinearClamp;
-layout(set = 1, binding = 2) uniform texture2D gIn_PrevViewZ;
+layout(set = 1, binding = 2) uniform texture2D gIn_PrevDepth;
 layout(set = 1, binding = 3) uniform texture2D gIn_PrevNormalRoughness;
 layout(set = 1, binding = 4) uniform utexture2D gIn_PrevLength;
-layout(set = 1, binding = 5) uniform texture2D gIn_Cut;
+layout(set = 1, binding = 5) uniform utexture2D gIn_Cut;
 layout(set = 1, binding = 6) uniform texture2D gIn_PrevTrack;
 
 #include "nrd_frontend.glsl"
 #include "virtual_track.glsl"
 #include "edge_stops.glsl"
+
+// As 16 bits hold it.
+float storedCode(float viewZ)
+{
+    return isInRange(decodeViewZ(viewZ)) ? floor(depthCode(viewZ) * 65535.0 + 0.5) / 65535.0 : 0.0;
+}
 
 Guide guideOf(vec3 N, float roughness) { return Guide(N, roughness, 0u); }
 
@@ -86,7 +93,10 @@ Results evaluate(Arguments v)
         r.first.x = disocclusionDistance(s, v.a.w);
         break;
     }
-    case FN_DEPTH_TEST: r.first = testDepths(v.a, depthBounds(v.b.x, v.b.y)); break;
+    case FN_DEPTH_TEST:
+        r.first = testDepths(vec4(storedCode(v.a.x), storedCode(v.a.y), storedCode(v.a.z), storedCode(v.a.w)),
+                             depthBounds(v.b.x, v.b.y));
+        break;
     case FN_PLANE_DISTANCE: r.first = planeDistances(v); break;
     case FN_EDGE_STOPS: r = edgeStops(v); break;
     case FN_EDGE_WEIGHT: r.first.x = edgeWeight(v); break;

@@ -20,7 +20,7 @@ Results evaluate(Arguments v)
         r.first = vec4(stored * 255.0, decoded, store(encodeRadius(decoded)) * 255.0, decodeRadius(v.a.y / 255.0));
         break;
     }
-    case FN_DEPTH: r.first.x = unpackDepth(packDepth(v.a.x) << 16); break;
+    case FN_DEPTH: r.first.x = unpackDepth(packDepth(v.a.x)); break;
     case FN_ROOTS: r = Results(decodeShadow(store(encodeShadow(v.a))), encodeOutput(v.a)); break;
     case FN_PAST:
     {

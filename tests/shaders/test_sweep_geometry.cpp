@@ -65,17 +65,28 @@ const Sweep kSweeps[] = {
      { return ulps(out.first[0], disocclusionDistance(in.a[0], in.a[1], in.a[2], in.a[3])); }},
 };
 
-// 0 if the decision is right; depths closer to the threshold than their difference is rounded may fall on either side.
+// A code's range of depths and its width, see depth_code.glsl.
+constexpr double kNearestCode = 0x1p-14, kFarthestCode = 0x1p20, kCodeWidth = 3.6e-4;
+
+// 0 if the decision is right: what lies within the threshold passes, what misses it by a code's width does not. Depths
+// closer to the threshold than the test is rounded may be refused.
 double depthTestError(const Arguments& in, const Results& out)
 {
+    const double expected = in.b[0], threshold = in.b[1];
+    const auto coded = [](double x) { return std::clamp(x, kNearestCode, kFarthestCode); };
+    const double low = coded(expected - threshold), high = coded(expected + threshold);
     double worst = 0.0;
     for (int i = 0; i < 4; i++)
     {
-        const double depth = std::abs(double{in.a[i]}), difference = std::abs(depth - in.b[0]), threshold = in.b[1];
-        const bool isClose = difference <= threshold && depth < 1e7; // NaN is not
-        const double margin = std::abs(difference - threshold);
-        if (out.first[i] == (isClose ? 1.0f : 0.0f)) continue;
-        worst = std::max(worst, std::isfinite(margin) ? ulps(margin, 0.0, std::max(depth, double{in.b[0]})) : 1e9);
+        const bool isThere = threshold >= 0.0 && std::abs(double{in.a[i]}) < 1e7; // NaN is not
+        const double depth = coded(std::max(std::abs(double{in.a[i]}), 1e-4)); // as decodeViewZ() reads it
+        if (out.first[i] == 0.0f)
+        {
+            if (isThere && depth >= low && depth <= high)
+                worst = std::max(worst, ulps(std::min(depth - low, high - depth), 0.0, depth));
+        }
+        else if (!isThere || depth < low * (1.0 - kCodeWidth) || depth > high * (1.0 + kCodeWidth))
+            worst = 1e9;
     }
     return worst;
 }
@@ -125,7 +136,7 @@ TEST_CASE("planes and depths over random cameras agree with double precision", "
            },
            [&](const Arguments& in, const Results& out) { return planeError(frames, in, out); }},
           frames.constants);
-    check({"depths a disocclusion test decides wrongly", "ulp of the depth from the threshold at most", 3.0,
-           "a sum, 2.5 ulp of a division", FN_DEPTH_TEST, drawDepths, depthTestError},
+    check({"depths a disocclusion test refuses wrongly", "ulp of the depth from the threshold at most", 24.0,
+           "a sum, and the code's rounding, of a logarithm of some ulp", FN_DEPTH_TEST, drawDepths, depthTestError},
           frames.constants);
 }

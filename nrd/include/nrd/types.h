@@ -139,7 +139,7 @@ enum class DescriptorType : uint32_t
 enum class ResourceState : uint32_t
 {
     SAMPLED,             // every use in this dispatch is a sampled read
-    STORAGE,             // every use is a storage write
+    STORAGE,             // every use is a storage write or an atomic operation
     SAMPLED_AND_STORAGE, // both: each invocation reads and writes its own texel only; general layout
     INDIRECT_ARGUMENTS,
     MAX_NUM

@@ -10,9 +10,6 @@ namespace nrd
 inline bool isDenoised(const Conditions& c) { return c.common.splitScreen < 1.0f; }
 inline bool isSplit(const Conditions& c) { return c.common.splitScreen > 0.0f; }
 
-inline bool hasCutDetection(const Conditions& c) { return c.common.enableCutDetection; }
-inline bool runsCutDetection(const Conditions& c) { return isDenoised(c) && hasCutDetection(c); }
-
 inline bool hasConfidence(const Conditions& c) { return c.common.isHistoryConfidenceAvailable; }
 inline bool hasDisocclusionMix(const Conditions& c) { return c.common.isDisocclusionThresholdMixAvailable; }
 inline bool hasSpecularMotion(const Conditions& c) { return c.common.isSpecularMotionAvailable; }
@@ -50,7 +47,6 @@ constexpr Slot kSpecularMotion = only(kSpecular, optional(hasSpecularMotion, Res
 constexpr GroupSize kTile = {TILE_SIZE, TILE_SIZE}; // whatever the number of invocations
 constexpr GroupSize kGroup16x16 = {16, 16};
 constexpr GroupSize kGroup8x16 = {8, 16};
-constexpr GroupSize kOneGroup = {1, 1}; // of a grid of one
 
 constexpr SignalRow diffuse(ResourceType input, ResourceType output, Format format)
 {

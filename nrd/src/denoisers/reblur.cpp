@@ -21,13 +21,14 @@ enum Tex : uint8_t
     VirtualAmount,
     BlurLuma,
     Work,
-    PrevViewZ,
+    PrevDepth,
     PrevNormalRoughness,
     PrevLength,
     History,
     Fast,
     Pair,
     Spread,
+    NewSpread,
     Stab,
     Track
 };
@@ -39,9 +40,9 @@ constexpr Having kSpecularColor = {kSpecular, kColor};
 constexpr Having kSpecularOcclusion = {kSpecular, kOcclusion};
 
 constexpr TextureRow kTextures[] = {
-    {Tiles, "Tiles", fixed(RGBA8_UNORM), Transient, TILE_SIZE},
-    {Cut, "Cut", fixed(R8_UNORM), Transient, kOneTexel},
-    {Cap, "Cap", fixed(RG16_SFLOAT), Transient, TILE_SIZE, kColor},
+    {Tiles, "Tiles", fixed(R8_UNORM), Transient, TILE_SIZE},
+    {Cut, "Cut", fixed(R32_UINT), PingPong, kOneTexel}, // a sum of votes
+    {Cap, "Cap", fixed(RGBA16_SFLOAT), Transient, TILE_SIZE, kColor},
     {Length, "Length", perLobes(R8_UNORM, RG8_UNORM), Transient},
     {FastTemp, "FastTemp", kLuma, Transient},
     {TrackNew, "TrackNew", fixed(R16_SFLOAT), Transient, 1, kSpecularColor},
@@ -50,13 +51,14 @@ constexpr TextureRow kTextures[] = {
     {VirtualAmount, "VirtualAmount", fixed(R8_UNORM), Transient, VIRTUAL_AMOUNT_STEP, kSpecular},
     {BlurLuma, "BlurLuma", perLobes(R16_SFLOAT, RG16_SFLOAT), Transient, 1, kStabilized},
     {Work, "Work", kPerSignal, Lent, 1, kStabilized},
-    {PrevViewZ, "PrevViewZ", fixed(R32_SFLOAT), Permanent},
-    {PrevNormalRoughness, "PrevNormalRoughness", kGuide, Permanent},
+    {PrevDepth, "PrevDepth", fixed(R16_UNORM), Permanent},
+    {PrevNormalRoughness, "PrevNormalRoughness", kPrevGuide, Permanent},
     {PrevLength, "PrevLength", perLobes(R8_UINT, R16_UINT), Permanent},
     {History, "History", kPerSignal, Permanent, 1, kStabilized},
     {Fast, "Fast", kLuma, Permanent},
     {Pair, "Pair", kPerSignal, PingPong, 1, kOcclusion},
     {Spread, "Spread", fixed(RGBA16_SFLOAT), PingPong, TILE_SIZE, kColor},
+    {NewSpread, "NewSpread", fixed(RGBA16_SFLOAT), PingPong, TILE_SIZE, kColor}, // without the past
     {Stab, "Stab", perLobes(R16_SFLOAT, RG16_SFLOAT), Permanent, 1, kStabilized},
     {Track, "Track", fixed(R16_SFLOAT), PingPong, 1, kSpecularColor},
 };
@@ -86,9 +88,8 @@ constexpr SwitchRow kStabilization = {SPEC_HAS_STABILIZATION, hasStabilization, 
 constexpr SwitchRow kMaterialTest = {SPEC_HAS_MATERIAL_TEST, hasMaterialTest};
 constexpr SwitchRow kAntiFirefly = {SPEC_HAS_ANTI_FIREFLY, hasAntiFirefly, kColor};
 
-bool runsFireflyCap(const Conditions& c) { return isDenoised(c) && hasAntiFirefly(c); }
 // Without a pre-pass, temporal accumulation sees to it.
-bool isCappedLate(const Conditions& c) { return runsFireflyCap(c) && !hasPrePass(c); }
+bool isCappedLate(const Conditions& c) { return hasAntiFirefly(c) && !hasPrePass(c); }
 
 // Signals go back and forth between two textures, since every pass but the first reads what another wrote around a
 // pixel: the history, once temporal accumulation has read it, and one more, which is the output where that is lent.
@@ -101,13 +102,13 @@ constexpr Slot kAccumulated[] = {only(kStabilized, choose(hasPrePass, each(Work)
 constexpr Slot kTrackNew = only(kSpecularColor, optional(hasPrePass, TrackNew));
 // Without stabilisation nobody keeps this history up to date.
 constexpr Slot kStab = only(kStabilized, optional(hasStabilization, Stab));
-constexpr Slot kCut = optional(hasCutDetection, Cut);
 // The overlay shows the inputs even when nothing is denoised.
 constexpr Slot kShownLength = optional(isDenoised, Length);
 constexpr Slot kShownVirtualAmount = only(kSpecular, optional(isDenoised, VirtualAmount));
 
 // From the first variant a pass applies to, to the last.
-constexpr ShaderSet kFireflyCap = {Shader::ReblurFireflyCapDiffuse, Shader::ReblurFireflyCapDiffuseSpecularSh};
+constexpr ShaderSet kClassifyTiles = {Shader::ReblurClassifyTilesDiffuse,
+                                      Shader::ReblurClassifyTilesDiffuseSpecularSh};
 constexpr ShaderSet kPrePass = {Shader::ReblurPrePassDiffuse, Shader::ReblurPrePassDiffuseDirectionalOcclusion};
 constexpr ShaderSet kTemporalAccumulation = {Shader::ReblurTemporalAccumulationDiffuse,
                                              Shader::ReblurTemporalAccumulationDiffuseDirectionalOcclusion};
@@ -123,20 +124,27 @@ constexpr ShaderSet kValidation = {Shader::ReblurValidationDiffuse,
 
 // name, shader per variant, reads, writes, group, runs if, switches. Outputs are written once, by the last pass.
 constexpr PassRow kPasses[] = {
-    {"Classify tiles", Shader::ClassifyTiles, {ViewZ, Motion, PrevViewZ}, {Tiles}, kTile, isDenoised},
-    {"Detect cut", Shader::DetectCut, {Tiles}, {Cut}, kOneGroup, runsCutDetection, {}, kOneTexel},
-    {"Firefly cap",
-     kFireflyCap,
-     {Tiles, ViewZ, kEachInput, kCut, prev(Spread)},
-     {Cap, Spread},
+    {"Classify tiles",
+     Shader::ClassifyTiles,
+     {ViewZ, Motion, PrevDepth, prev(Cut)},
+     {Tiles, Cut},
      kTile,
-     runsFireflyCap,
-     {kPrePassSwitch},
+     isDenoised,
+     {},
+     1,
+     kBounded},
+    {"Classify tiles",
+     kClassifyTiles,
+     {ViewZ, Motion, PrevDepth, prev(Cut), kEachInput, prev(Spread), prev(NewSpread)},
+     {Tiles, Cut, Cap, Spread, NewSpread},
+     kTile,
+     isDenoised,
+     {kPrePassSwitch, kAntiFirefly},
      1,
      kColor},
     {"Pre-pass",
      kPrePass,
-     {Tiles, ViewZ, NormalRoughness, kEachInput, only(kColor, optional(runsFireflyCap, Cap))},
+     {Tiles, ViewZ, NormalRoughness, kEachInput, only(kColor, optional(hasAntiFirefly, Cap)), only(kColor, Cut)},
      {kSteps[0], kSteps[1], only(kSpecularColor, TrackNew)},
      kGroup8x16,
      runsPrePass,
@@ -147,10 +155,10 @@ constexpr PassRow kPasses[] = {
       ViewZ,
       NormalRoughness,
       Motion,
-      PrevViewZ,
+      PrevDepth,
       PrevNormalRoughness,
       PrevLength,
-      kCut,
+      Cut,
       kThresholdMix,
       kDiffuseConfidence,
       kSpecularConfidence,
@@ -165,7 +173,7 @@ constexpr PassRow kPasses[] = {
       only(kSpecularColor, prev(Track)),
       kSpecularMotion,
       only(kColor, optional(isCappedLate, Cap))},
-     {kSteps[0], kSteps[1], FastTemp, Length, only(kStabilized, StabHistory), only(kStabilized, StabWeight),
+     {prev(Cut), kSteps[0], kSteps[1], FastTemp, Length, only(kStabilized, StabHistory), only(kStabilized, StabWeight),
       only(kSpecularColor, Track), only(kSpecular, VirtualAmount)},
      kGroup8x16,
      isDenoised,
@@ -173,7 +181,7 @@ constexpr PassRow kPasses[] = {
     {"History fix",
      kHistoryFix,
      {Tiles, ViewZ, NormalRoughness, Length, kSteps[0], kSteps[1], FastTemp, only(kSpecularColor, Track)},
-     {kHistories[0], kHistories[1], Fast, PrevViewZ, PrevNormalRoughness},
+     {kHistories[0], kHistories[1], Fast, PrevDepth, PrevNormalRoughness},
      kGroup8x16,
      isDenoised,
      {kAntiFirefly, kMaterialTest}},

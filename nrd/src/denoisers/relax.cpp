@@ -20,12 +20,13 @@ enum Tex : uint8_t
     VirtualAmount,
     Scratch,
     Pong,
-    PrevViewZ,
+    PrevDepth,
     PrevNormalRoughness,
     PrevLength,
     History,
     Fast,
     Spread,
+    NewSpread,
     Track
 };
 
@@ -33,22 +34,23 @@ using enum Format;
 using enum Lifetime;
 
 constexpr TextureRow kTextures[] = {
-    {Tiles, "Tiles", fixed(RGBA8_UNORM), Transient, TILE_SIZE},
-    {Cut, "Cut", fixed(R8_UNORM), Transient, kOneTexel},
-    {Cap, "Cap", fixed(RG16_SFLOAT), Transient, TILE_SIZE},
+    {Tiles, "Tiles", fixed(R8_UNORM), Transient, TILE_SIZE},
+    {Cut, "Cut", fixed(R32_UINT), PingPong, kOneTexel}, // a sum of votes
+    {Cap, "Cap", fixed(RGBA16_SFLOAT), Transient, TILE_SIZE},
     {Length, "Length", perLobes(R8_UNORM, RG8_UNORM), Transient},
     {FastTemp, "FastTemp", perLobes(RG16_SFLOAT, RGBA16_SFLOAT), Transient}, // with the luma of the new sample
-    {TrackNew, "TrackNew", fixed(R16_SFLOAT), Transient, 1, kSpecular},
+    {TrackNew, "TrackNew", fixed(R16_SFLOAT), Lent, 1, kSpecular}, // until the wavelet runs
     {Confidence, "Confidence", fixed(R8_UNORM), Transient, 1, kSpecular}, // in the reprojection
     {VirtualAmount, "VirtualAmount", fixed(R8_UNORM), Transient, VIRTUAL_AMOUNT_STEP, kSpecular},
     {Scratch, "Scratch", kPerSignal, Transient},
     {Pong, "Pong", kPerSignal, Lent},
-    {PrevViewZ, "PrevViewZ", fixed(R32_SFLOAT), Permanent},
-    {PrevNormalRoughness, "PrevNormalRoughness", kGuide, Permanent},
+    {PrevDepth, "PrevDepth", fixed(R16_UNORM), Permanent},
+    {PrevNormalRoughness, "PrevNormalRoughness", kPrevGuide, Permanent},
     {PrevLength, "PrevLength", perLobes(R8_UINT, R16_UINT), Permanent},
     {History, "History", kPerSignal, Permanent},
     {Fast, "Fast", perLobes(R16_SFLOAT, RG16_SFLOAT), Permanent},
     {Spread, "Spread", fixed(RGBA16_SFLOAT), PingPong, TILE_SIZE}, // of the samples' luma: mean, deviation
+    {NewSpread, "NewSpread", fixed(RGBA16_SFLOAT), PingPong, TILE_SIZE}, // without the past
     {Track, "Track", fixed(R16_SFLOAT), PingPong, 1, kSpecular},
 };
 static_assert(rowsMatchKeys(kTextures));
@@ -63,8 +65,7 @@ bool hasPrePass(const Conditions& c)
 bool runsPrePass(const Conditions& c) { return isDenoised(c) && hasPrePass(c); }
 bool hasAntiFirefly(const Conditions& c) { return settingsOf(c).enableAntiFirefly; }
 
-bool runsFireflyCap(const Conditions& c) { return isDenoised(c) && hasAntiFirefly(c); }
-bool isCappedLate(const Conditions& c) { return runsFireflyCap(c) && !hasPrePass(c); }
+bool isCappedLate(const Conditions& c) { return hasAntiFirefly(c) && !hasPrePass(c); }
 
 bool hasMaterialTest(const Conditions& c)
 {
@@ -88,13 +89,13 @@ constexpr SwitchRow kAntiFirefly = {SPEC_HAS_ANTI_FIREFLY, hasAntiFirefly};
 
 constexpr Slot kEachAccumulated = choose(hasPrePass, each(Scratch), kEachInput);
 constexpr Slot kTrackNew = only(kSpecular, optional(hasPrePass, TrackNew));
-constexpr Slot kCut = optional(hasCutDetection, Cut);
 // The overlay shows the inputs even when nothing is denoised.
 constexpr Slot kShownLength = optional(isDenoised, Length);
 constexpr Slot kShownVirtualAmount = only(kSpecular, optional(isDenoised, VirtualAmount));
 
 // From the first variant a pass applies to, to the last.
-constexpr ShaderSet kFireflyCap = {Shader::RelaxFireflyCapDiffuse, Shader::RelaxFireflyCapDiffuseSpecularSh};
+constexpr ShaderSet kClassifyTiles = {Shader::RelaxClassifyTilesDiffuse,
+                                      Shader::RelaxClassifyTilesDiffuseSpecularSh};
 constexpr ShaderSet kPrePass = {Shader::RelaxPrePassDiffuse, Shader::RelaxPrePassDiffuseSpecularSh};
 constexpr ShaderSet kTemporalAccumulation = {Shader::RelaxTemporalAccumulationDiffuse,
                                              Shader::RelaxTemporalAccumulationDiffuseSpecularSh};
@@ -123,28 +124,26 @@ template <uint32_t Step> constexpr PassRow atrous(const char* name)
 
 // name, shader per variant, reads, writes, group, runs if, switches. Outputs are written once, by the last pass.
 constexpr PassRow kPasses[] = {
-    {"Classify tiles", Shader::ClassifyTiles, {ViewZ, Motion, PrevViewZ}, {Tiles}, kTile, isDenoised},
-    {"Detect cut", Shader::DetectCut, {Tiles}, {Cut}, kOneGroup, runsCutDetection, {}, kOneTexel},
-    {"Firefly cap",
-     kFireflyCap,
-     {Tiles, ViewZ, kEachInput, kCut, prev(Spread)},
-     {Cap, Spread},
+    {"Classify tiles",
+     kClassifyTiles,
+     {ViewZ, Motion, PrevDepth, prev(Cut), kEachInput, prev(Spread), prev(NewSpread)},
+     {Tiles, Cut, Cap, Spread, NewSpread},
      kTile,
-     runsFireflyCap,
-     {kPrePassSwitch}},
+     isDenoised,
+     {kPrePassSwitch, kAntiFirefly}},
     {"Pre-pass",
      kPrePass,
-     {Tiles, ViewZ, NormalRoughness, kEachInput, optional(runsFireflyCap, Cap)},
+     {Tiles, ViewZ, NormalRoughness, kEachInput, optional(hasAntiFirefly, Cap), Cut},
      {each(Scratch), only(kSpecular, TrackNew)},
      kGroup8x16,
      runsPrePass,
      {kAntiFirefly, kMaterialTest}},
     {"Temporal accumulation",
      kTemporalAccumulation,
-     {Tiles, ViewZ, NormalRoughness, Motion, PrevViewZ, PrevNormalRoughness, PrevLength, kCut, kThresholdMix,
+     {Tiles, ViewZ, NormalRoughness, Motion, PrevDepth, PrevNormalRoughness, PrevLength, Cut, kThresholdMix,
       kDiffuseConfidence, kSpecularConfidence, kEachAccumulated, each(History), Fast, kTrackNew,
       only(kSpecular, prev(Track)), kSpecularMotion, optional(isCappedLate, Cap)},
-     {each(Scratch), FastTemp, Length, only(kSpecular, Track), only(kSpecular, VirtualAmount),
+     {prev(Cut), each(Scratch), FastTemp, Length, only(kSpecular, Track), only(kSpecular, VirtualAmount),
       only(kSpecular, Confidence)},
      kGroup8x16,
      isDenoised,
@@ -152,7 +151,7 @@ constexpr PassRow kPasses[] = {
     {"History clamping",
      kHistoryClamping,
      {Tiles, ViewZ, NormalRoughness, Length, each(Scratch), FastTemp},
-     {each(History), Fast, PrevLength, PrevViewZ, PrevNormalRoughness},
+     {each(History), Fast, PrevLength, PrevDepth, PrevNormalRoughness},
      kGroup8x16,
      isDenoised,
      {kAntiFirefly, kMaterialTest}},

@@ -34,7 +34,7 @@ constexpr TextureRow kTextures[] = {
     {Shadow, "Shadow", fixed(R16_SFLOAT), Transient, 1, kShadow},
     {ShadowColor, "Shadow", fixed(RGBA8_UNORM), Transient, 1, kTranslucentShadow},
     {Past, "Past", fixed(R16_UINT), Transient, 1, kRemembered},
-    {PastColor, "PastColor", fixed(R32_UINT), Transient, 1, kRememberedColor},
+    {PastColor, "PastColor", fixed(RGBA8_UNORM), Lent, 1, kRememberedColor}, // the four bytes of a word
     {History, "History", fixed(R32_UINT), Permanent, 1, kRememberedShadow},
     {HistoryColor, "History", fixed(RG32_UINT), Permanent, 1, kRememberedColor},
 };
@@ -89,13 +89,14 @@ constexpr PassRow kPasses[] = {
 };
 
 constexpr SignalRow kSignal = {kPenumbra, kOut, R16_SFLOAT, kNoLobe};
+constexpr SignalRow kColorSignal = lending(kSignal);
 
 // In the order of the shader list.
 constexpr Variant kVariants[] = {
     {Denoiser::SIGMA_SHADOW, kNoLobe, kShadow, {kSignal}},
-    {Denoiser::SIGMA_SHADOW_TRANSLUCENCY, kNoLobe, kTranslucentShadow, {kSignal}},
+    {Denoiser::SIGMA_SHADOW_TRANSLUCENCY, kNoLobe, kTranslucentShadow, {kColorSignal}},
     {Denoiser::SIGMA_SHADOW, kNoLobe, kShadow, {kSignal}, Keeps::Nothing},
-    {Denoiser::SIGMA_SHADOW_TRANSLUCENCY, kNoLobe, kTranslucentShadow, {kSignal}, Keeps::Nothing},
+    {Denoiser::SIGMA_SHADOW_TRANSLUCENCY, kNoLobe, kTranslucentShadow, {kColorSignal}, Keeps::Nothing},
 };
 static_assert(shadersMatchVariants(kPasses, kVariants));
 
