@@ -111,8 +111,8 @@ bool Planner::plan(const PlanContext& context, rhi::Span<const DispatchDesc> dis
 // images are then undefined, and their own barriers go on from that one.
 void Planner::takeTransientMemory(const PlanContext& context, const DenoiseOptions& options)
 {
-    constexpr rhi::MemoryState kOurs = {
-        rhi::Access::SampledRead | rhi::Access::StorageRead | rhi::Access::StorageWrite, rhi::Stage::Compute};
+    constexpr rhi::MemoryState kOurs = {rhi::Access::SampledRead | rhi::Access::StorageRead | rhi::Access::StorageWrite,
+                                        rhi::Stage::Compute};
     constexpr rhi::TextureState kTaken = {rhi::Access::StorageWrite, rhi::Layout::Undefined, rhi::Stage::Compute};
     NrdMemoryUse before = options.transientBefore;
     const uint32_t first = context.pools.permanent().size(), end = poolTextureCount(context.pools);

@@ -86,7 +86,8 @@ TEST_CASE("clears cover the resource, not the rect, and use the texture's compon
         CHECK(dispatch.gridWidth == groups(100));
         CHECK(dispatch.gridHeight == groups(60));
         const Format integers[] = {Format::R8_UINT, Format::R16_UINT, Format::R32_UINT};
-        const bool isInteger = std::find(std::begin(integers), std::end(integers), texture.format) != std::end(integers);
+        const bool isInteger =
+            std::find(std::begin(integers), std::end(integers), texture.format) != std::end(integers);
         integerNum += isInteger ? 1 : 0;
         CHECK(std::string(desc.pipelines[dispatch.pipelineIndex].shaderIdentifier) ==
               (isInteger ? "ClearUint" : "ClearFloat"));

@@ -57,9 +57,12 @@ const SignalRow* findSignal(const Program& program, const Binding& binding)
 bool isLent(const Program& program, const std::string& name)
 {
     const auto& rows = program.family->textures;
-    return std::any_of(rows.begin(), rows.end(), [&](const TextureRow& row)
-                       { return row.lifetime == Lifetime::Lent && row.format.rule != FormatRule::PerSignal &&
-                                has(*program.variant, row.having) && normalize(row.name) == name; });
+    return std::any_of(rows.begin(), rows.end(),
+                       [&](const TextureRow& row)
+                       {
+                           return row.lifetime == Lifetime::Lent && row.format.rule != FormatRule::PerSignal &&
+                                  has(*program.variant, row.having) && normalize(row.name) == name;
+                       });
 }
 
 // What is bound per signal is named after its lobe; everything else after the slot.

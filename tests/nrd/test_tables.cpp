@@ -209,7 +209,8 @@ TEST_CASE("every texture of a variant is bound by a pass, and only ping-pong tex
 TEST_CASE("a texture read at other pixels is not written by the same pass", "[unit]")
 {
     // Four passes read and write one place, each invocation its own texel.
-    const std::set<std::string> inPlace = {"Temporal accumulation", "Temporal stabilization", "Post-blur", "Accumulate"};
+    const std::set<std::string> inPlace = {"Temporal accumulation", "Temporal stabilization", "Post-blur",
+                                           "Accumulate"};
     for (const Case& c : allCases())
     {
         INFO(c.text);

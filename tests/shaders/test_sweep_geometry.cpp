@@ -79,7 +79,7 @@ double depthTestError(const Arguments& in, const Results& out)
     for (int i = 0; i < 4; i++)
     {
         const bool isThere = threshold >= 0.0 && std::abs(double{in.a[i]}) < 1e7; // NaN is not
-        const double depth = coded(std::max(std::abs(double{in.a[i]}), 1e-4)); // as decodeViewZ() reads it
+        const double depth = coded(std::max(std::abs(double{in.a[i]}), 1e-4));    // as decodeViewZ() reads it
         if (out.first[i] == 0.0f)
         {
             if (isThere && depth >= low && depth <= high)

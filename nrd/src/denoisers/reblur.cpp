@@ -107,8 +107,7 @@ constexpr Slot kShownLength = optional(isDenoised, Length);
 constexpr Slot kShownVirtualAmount = only(kSpecular, optional(isDenoised, VirtualAmount));
 
 // From the first variant a pass applies to, to the last.
-constexpr ShaderSet kClassifyTiles = {Shader::ReblurClassifyTilesDiffuse,
-                                      Shader::ReblurClassifyTilesDiffuseSpecularSh};
+constexpr ShaderSet kClassifyTiles = {Shader::ReblurClassifyTilesDiffuse, Shader::ReblurClassifyTilesDiffuseSpecularSh};
 constexpr ShaderSet kPrePass = {Shader::ReblurPrePassDiffuse, Shader::ReblurPrePassDiffuseDirectionalOcclusion};
 constexpr ShaderSet kTemporalAccumulation = {Shader::ReblurTemporalAccumulationDiffuse,
                                              Shader::ReblurTemporalAccumulationDiffuseDirectionalOcclusion};

@@ -39,8 +39,8 @@ constexpr TextureRow kTextures[] = {
     {Cap, "Cap", fixed(RGBA16_SFLOAT), Transient, TILE_SIZE},
     {Length, "Length", perLobes(R8_UNORM, RG8_UNORM), Transient},
     {FastTemp, "FastTemp", perLobes(RG16_SFLOAT, RGBA16_SFLOAT), Transient}, // with the luma of the new sample
-    {TrackNew, "TrackNew", fixed(R16_SFLOAT), Lent, 1, kSpecular}, // until the wavelet runs
-    {Confidence, "Confidence", fixed(R8_UNORM), Transient, 1, kSpecular}, // in the reprojection
+    {TrackNew, "TrackNew", fixed(R16_SFLOAT), Lent, 1, kSpecular},           // until the wavelet runs
+    {Confidence, "Confidence", fixed(R8_UNORM), Transient, 1, kSpecular},    // in the reprojection
     {VirtualAmount, "VirtualAmount", fixed(R8_UNORM), Transient, VIRTUAL_AMOUNT_STEP, kSpecular},
     {Scratch, "Scratch", kPerSignal, Transient},
     {Pong, "Pong", kPerSignal, Lent},
@@ -49,7 +49,7 @@ constexpr TextureRow kTextures[] = {
     {PrevLength, "PrevLength", perLobes(R8_UINT, R16_UINT), Permanent},
     {History, "History", kPerSignal, Permanent},
     {Fast, "Fast", perLobes(R16_SFLOAT, RG16_SFLOAT), Permanent},
-    {Spread, "Spread", fixed(RGBA16_SFLOAT), PingPong, TILE_SIZE}, // of the samples' luma: mean, deviation
+    {Spread, "Spread", fixed(RGBA16_SFLOAT), PingPong, TILE_SIZE},       // of the samples' luma: mean, deviation
     {NewSpread, "NewSpread", fixed(RGBA16_SFLOAT), PingPong, TILE_SIZE}, // without the past
     {Track, "Track", fixed(R16_SFLOAT), PingPong, 1, kSpecular},
 };
@@ -94,8 +94,7 @@ constexpr Slot kShownLength = optional(isDenoised, Length);
 constexpr Slot kShownVirtualAmount = only(kSpecular, optional(isDenoised, VirtualAmount));
 
 // From the first variant a pass applies to, to the last.
-constexpr ShaderSet kClassifyTiles = {Shader::RelaxClassifyTilesDiffuse,
-                                      Shader::RelaxClassifyTilesDiffuseSpecularSh};
+constexpr ShaderSet kClassifyTiles = {Shader::RelaxClassifyTilesDiffuse, Shader::RelaxClassifyTilesDiffuseSpecularSh};
 constexpr ShaderSet kPrePass = {Shader::RelaxPrePassDiffuse, Shader::RelaxPrePassDiffuseSpecularSh};
 constexpr ShaderSet kTemporalAccumulation = {Shader::RelaxTemporalAccumulationDiffuse,
                                              Shader::RelaxTemporalAccumulationDiffuseSpecularSh};
