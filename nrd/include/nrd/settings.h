@@ -38,7 +38,7 @@ struct CommonSettings
     float metersToUnits = 1.0f;          // > 0, world units per metre; scales every setting given in metres
     float viewZScale = 1.0f;             // > 0, viewZ = abs(IN_VIEWZ * viewZScale)
     float timeDeltaBetweenFrames = 0.0f; // >= 0 ms, 0 = measured inside
-    float denoisingRange = 500000.0f;    // > 0 units; beyond it outputs are not written
+    float denoisingRange = 500000.0f;    // > 0 units; beyond it outputs are not written; at most 1e6 are told apart
 
     float disocclusionThreshold = 0.01f;               // (0; 1], fraction of the frustum's size at that depth
     float disocclusionThresholdAlternate = 0.05f;      // (0; 1], reached where IN_DISOCCLUSION_THRESHOLD_MIX is 1
