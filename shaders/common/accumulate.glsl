@@ -208,6 +208,25 @@ struct History
 #define STABILIZED(read) 0.0
 #endif
 
+// Of the 2x2 texels of a footprint.
+vec4 gatherLuma(texture2D t, ivec2 origin)
+{
+    vec2 uv = (vec2(origin) + 1.0) * g.resourceSizeInvPrev;
+    if (kIsDirectional) return textureGather(sampler2D(t, gNearestClamp), uv, 3);
+    return textureGather(sampler2D(t, gNearestClamp), uv);
+}
+
+// Catmull-Rom overshoots at an edge of light, with every frame more: where it leaves what the nearest texels hold, their
+// mean stands in.
+vec4 fetchSharp(texture2D t, HistoryRead read, CatmullRom c)
+{
+    vec4 value = fetchCatmullRom(t, gLinearClamp, c), near = gatherLuma(t, read.origin);
+    float Y = luma(Signal(value, vec3(0.0)));
+    bool isWithin = Y >= min(min(near.x, near.y), min(near.z, near.w)) && Y <= max(max(near.x, near.y), max(near.z, near.w));
+    if (isWithin) return value;
+    return textureLod(sampler2D(t, gLinearClamp), read.position * g.resourceSizeInvPrev, 0.0);
+}
+
 // All textures in one branch.
 History fetchHistory(texture2D t, int channel, HistoryRead read)
 {
@@ -216,7 +235,7 @@ History fetchHistory(texture2D t, int channel, HistoryRead read)
     {
         CatmullRom c = makeCatmullRom(read.position, g.resourceSizeInvPrev);
         vec2 uv = read.position * g.resourceSizeInvPrev;
-        return History(Signal(fetchCatmullRom(t, gLinearClamp, c), vec3(0.0)),
+        return History(Signal(fetchSharp(t, read, c), vec3(0.0)),
                        textureLod(sampler2D(gIn_Fast, gLinearClamp), uv, 0.0)[channel],
                        STABILIZED(fetchCatmullRom(gIn_Stab, gLinearClamp, c)));
     }

@@ -102,9 +102,8 @@ void testSurface(Surface s, inout SurfaceTrack track)
         Guide other = decodePrevGuide(texelFetch(gIn_PrevNormalRoughness,
                                                  footprintTexel(origin, i, lastPrevTexel()), 0));
         NoN[i] = dot(other.N, s.meanN);
-        // The own normal as well: at a contact the mean may point away from both surfaces.
-        float cosine = max(NoN[i], dot(other.N, s.guide.N));
-        bool isAccepted = inside[i] > 0.0 && cosine > minCosine &&
+        // By the own normal: the mean points between the surfaces at a contact, and lets the light of one into the other.
+        bool isAccepted = inside[i] > 0.0 && dot(other.N, s.guide.N) > minCosine &&
                           isSameMaterial(s.guide.materialID, other.materialID, minMaterial);
         vec4 passed = testDepths(gatherPrevCodes(origin - 1 + 2 * quadrant), isAccepted ? bounds : kNoDepth);
         track.valid[i] = passed[3 - i];
