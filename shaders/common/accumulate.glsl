@@ -222,8 +222,8 @@ vec4 fetchSharp(texture2D t, HistoryRead read, CatmullRom c)
 {
     vec4 value = fetchCatmullRom(t, gLinearClamp, c), near = gatherLuma(t, read.origin);
     float Y = luma(Signal(value, vec3(0.0)));
-    bool isWithin = Y >= min(min(near.x, near.y), min(near.z, near.w)) && Y <= max(max(near.x, near.y), max(near.z, near.w));
-    if (isWithin) return value;
+    float low = min(min(near.x, near.y), min(near.z, near.w)), high = max(max(near.x, near.y), max(near.z, near.w));
+    if (Y >= low && Y <= high) return value;
     return textureLod(sampler2D(t, gLinearClamp), read.position * g.resourceSizeInvPrev, 0.0);
 }
 

@@ -32,6 +32,8 @@ layout(set = SET_RESOURCES, binding = FIRST_OUT + 4) uniform writeonly image2D g
 layout(set = SET_RESOURCES, binding = FIRST_OUT) uniform writeonly image2D gOut_Tiles;
 layout(set = SET_RESOURCES, binding = FIRST_OUT + 1, r32ui) uniform uimage2D gOut_Cut;
 
+shared uint sIsUsed; // 1: the tile has a pixel in range
+
 #include "vote_on_cut.glsl"
 #if HAS_CAP
 #include "firefly_cap.glsl"
@@ -55,8 +57,6 @@ vec2 sampleLumas(ivec2 pixel)
     return lumas;
 }
 #endif
-
-shared uint sIsUsed;
 
 void main()
 {

@@ -3,7 +3,7 @@
 // energy comes from one sample in hundreds, but not with one in thousands.
 // Whether the camera was cut is not known yet, so there are two of everything: with the last frames and without them.
 // Needs gIn_PrevSpread, gIn_PrevNewSpread, gOut_Spread and gOut_NewSpread, one texel per tile: mean and deviation of
-// luma per lobe; gIn_PrevCut; gOut_Cap: the caps of both lobes, with the last frames, then without.
+// luma per lobe; gIn_PrevCut; gOut_Cap: the caps of both lobes, with the last frames, then without; sIsUsed.
 #ifndef FIREFLY_CAP_GLSL
 #define FIREFLY_CAP_GLSL
 #include "cut.glsl"
@@ -114,7 +114,9 @@ void storeCaps(ivec2 tile, Samples samples)
     own = allowUnknown(samples, own);
     cap = allowUnknown(samples, cap);
     imageStore(gOut_Cap, tile, min(vec4(cap, own), vec4(kNoCap)));
-    imageStore(gOut_Spread, tile, mixSpread(readSpread(tile), samples, cap));
+    Spread before = kNoSpread; // what sky holds
+    if (sIsUsed != 0u) before = readSpread(tile);
+    imageStore(gOut_Spread, tile, mixSpread(before, samples, cap));
     imageStore(gOut_NewSpread, tile, mixSpread(kNoSpread, samples, own));
 }
 
