@@ -1,5 +1,5 @@
-// What a frame keeps of its surfaces for the next one: the depth's code, and the guide. Diffuse light asks hardly more of
-// a normal than its side, so where there is no other, two bytes of an octahedron do; their last bits are the material.
+// What a frame keeps of its surfaces for the next one: the depth's code, and the guide. Diffuse light asks hardly more
+// of a normal than its side, so where there is no other, two bytes of an octahedron do; their last bits are the material.
 #ifndef PREV_SURFACE_GLSL
 #define PREV_SURFACE_GLSL
 #include "denoiser.glsl"

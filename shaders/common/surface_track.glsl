@@ -102,7 +102,7 @@ void testSurface(Surface s, inout SurfaceTrack track)
         Guide other = decodePrevGuide(texelFetch(gIn_PrevNormalRoughness,
                                                  footprintTexel(origin, i, lastPrevTexel()), 0));
         NoN[i] = dot(other.N, s.meanN);
-        // By the own normal: the mean points between the surfaces at a contact, and lets the light of one into the other.
+        // By the own normal: at a contact the mean points between the surfaces, and lets one's light into the other.
         bool isAccepted = inside[i] > 0.0 && dot(other.N, s.guide.N) > minCosine &&
                           isSameMaterial(s.guide.materialID, other.materialID, minMaterial);
         vec4 passed = testDepths(gatherPrevCodes(origin - 1 + 2 * quadrant), isAccepted ? bounds : kNoDepth);

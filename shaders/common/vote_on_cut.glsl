@@ -1,5 +1,6 @@
 // Camera cuts that nobody announced: hardly a pixel of the last frame's surfaces is seen again. Some pixels
-// of a tile vote, in larger pictures of every second or fourth tile a side: votes wait for each other. Needs gIn_ViewZ, gIn_Motion, gIn_PrevDepth, gOut_Cut.
+// of a tile vote, in larger pictures of every second or fourth tile a side: votes wait for each other.
+// Needs gIn_ViewZ, gIn_Motion, gIn_PrevDepth, gOut_Cut.
 #ifndef VOTE_ON_CUT_GLSL
 #define VOTE_ON_CUT_GLSL
 #include "cut.glsl"
